@@ -105,7 +105,7 @@ int neighbour(int column, int offset, int side) {
     return moved < 0 ? side - 1 : moved < side ? moved : 0;
 }
 
-// The Java class RingCells. EDGES: compiled for a world in which not all edges are walls.
+// RingCells of GridLevels.java. EDGES: compiled for a world in which not all edges are walls.
 typedef struct {
     int edge, side, units, sheets;
     float low, inverseEdge, scale;

@@ -52,7 +52,6 @@ public final class Bodies {
     }
 
     // ---- bodies come and go
-    // ------------------------------------------------------------------------------------------
 
     /**
      * Adds a body at rest, of kind 0.
@@ -202,7 +201,6 @@ public final class Bodies {
     }
 
     // ---- what bodies are
-    // ---------------------------------------------------------------------------------------------
 
     /**
      * What a body looks like.
@@ -339,7 +337,6 @@ public final class Bodies {
     }
 
     // ---- where bodies are, and how they move
-    // -------------------------------------------------------------------------
 
     /**
      * Where a body is.
@@ -612,7 +609,6 @@ public final class Bodies {
     }
 
     // ---- many bodies at once
-    // ------------------------------------------------------------------------------------------
 
     /**
      * Puts many bodies somewhere else at once, as {@link #teleport} does, in the order of the array: all of them, or none if one is refused.
@@ -723,7 +719,6 @@ public final class Bodies {
     }
 
     // ---- what bodies touch
-    // -------------------------------------------------------------------------------------------
 
     /**
      * Sets whether {@link #events} tells of what bodies touch. By default it tells of nothing, which costs nothing. This changes no step, and is in no

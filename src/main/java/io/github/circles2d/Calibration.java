@@ -216,11 +216,7 @@ public final class Calibration {
         return Timings.NONE;
     }
 
-    /**
-     * Returns the file that keeps these times.
-     *
-     * @return the file; empty if it is turned off, or could not be written: the times hold for this process then
-     */
+    /** {@return the file that keeps these times; empty if it is turned off, or could not be written: the times hold for this process then} */
     public Optional<Path> file() {
         return file;
     }
@@ -241,5 +237,18 @@ public final class Calibration {
             text.append("   ").append(entry.runner().name());
         }
         return text.toString();
+    }
+
+    /** Takes the times that a calibration is made of. */
+    interface Meter {
+        /**
+         * Times a loop of Circles2D.
+         *
+         * @param device what to run on
+         * @param indexing one of the indexings, not {@link PairIndexing#AUTO}
+         * @param circles number of circles
+         * @return what loops took
+         */
+        FrameTimes loop(Device device, PairIndexing indexing, int circles);
     }
 }

@@ -103,28 +103,19 @@ public final class Chain {
         return this;
     }
 
-    /**
-     * The number of pieces.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of pieces, at least 0} */
     public int pieces() {
         return path.pieces();
     }
 
-    /**
-     * Whether the last point is joined to the first.
-     *
-     * @return true after {@link #close}
-     */
+    /** {@return whether the last point is joined to the first: true after {@link #close}} */
     public boolean isClosed() {
         return path.isClosed();
     }
 
     /**
-     * A new chain along the same outline in the other direction, so that circles touch its other side. Ends of arcs may differ by rounding.
-     *
-     * @return a chain, which may go on unless this one is closed
+     * {@return a new chain along the same outline in the other direction, so that circles touch its other side; it may go on unless this one is
+     * closed} Ends of arcs may differ by rounding.
      */
     public Chain reversed() {
         return new Chain(path.reversed());

@@ -107,11 +107,7 @@ public final class Events {
         return rows;
     }
 
-    /**
-     * The number of events.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of events, at least 0} */
     public int size() {
         return rows.size();
     }

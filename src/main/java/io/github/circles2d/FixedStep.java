@@ -57,6 +57,28 @@ public final class FixedStep {
     private static final int GREATEST_MAX_STEPS = 1000;
     private static final float GREATEST_SPEED = 1000;
 
+    /** Floats in a buffer of its own that are drawn. */
+    private static final class Shown {
+        FloatBuffer values = ByteBuffer.allocateDirect(0).asFloatBuffer();
+        private FloatBuffer view = values.asReadOnlyBuffer();
+
+        /** Makes room, and keeps nothing. */
+        void ensure(int floats) {
+            if (values.capacity() < floats) {
+                FloatBuffer larger = ByteBuffer.allocateDirect(Float.BYTES * (floats + (floats >> 1)))
+                        .order(ByteOrder.nativeOrder())
+                        .asFloatBuffer();
+                view = larger.asReadOnlyBuffer();
+                values = larger;
+            }
+        }
+
+        FloatBuffer first(int floats) {
+            ((Buffer) view).clear().limit(floats);
+            return view;
+        }
+    }
+
     private final World world;
     private final float timeStep;
     private int maxSteps = MAX_STEPS;
@@ -80,8 +102,7 @@ public final class FixedStep {
 
     private float[] from = new float[0];
     private float[] to = new float[0];
-    private FloatBuffer shown = ByteBuffer.allocateDirect(0).asFloatBuffer();
-    private FloatBuffer view = shown.asReadOnlyBuffer();
+    private final Shown shown = new Shown();
 
     /** Whether the radii before and after each last step are kept, which is so from the first call of {@link #radii} on. */
     private boolean keepsRadii;
@@ -92,8 +113,7 @@ public final class FixedStep {
     // By id: the radii before the last step, and after it.
     private float[] radiiBefore = new float[0];
     private float[] radiiAfter = new float[0];
-    private FloatBuffer shownRadii = ByteBuffer.allocateDirect(0).asFloatBuffer();
-    private FloatBuffer viewOfRadii = shownRadii.asReadOnlyBuffer();
+    private final Shown shownRadii = new Shown();
 
     /** Whether the angles before and after each last step are kept, which is so from the first call of {@link #angles} on. */
     private boolean keepsAngles;
@@ -104,8 +124,7 @@ public final class FixedStep {
     // By id, in units of a turn's 2^-32: the angles before the last step, and after it.
     private int[] anglesBefore = new int[0];
     private int[] anglesAfter = new int[0];
-    private FloatBuffer shownAngles = ByteBuffer.allocateDirect(0).asFloatBuffer();
-    private FloatBuffer viewOfAngles = shownAngles.asReadOnlyBuffer();
+    private final Shown shownAngles = new Shown();
 
     /** Whether the poses of bodies of terrain before and after each last step are kept, from the first call that gives them on. */
     private boolean keepsBodies;
@@ -373,20 +392,12 @@ public final class FixedStep {
         wasReset = true;
     }
 
-    /**
-     * How far the positions are on the way from before the last step to after it.
-     *
-     * @return 0 (before) to 1 (after)
-     */
+    /** {@return how far the positions are on the way from before the last step (0) to after it (1)} */
     public float alpha() {
         return (float) (saved / timeStep);
     }
 
-    /**
-     * The number of steps that were due and have been dropped, since more would have been made in a frame than are allowed.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of steps that were due and have been dropped, since more would have been made in a frame than are allowed; at least 0} */
     public long droppedSteps() {
         return dropped;
     }
@@ -420,15 +431,14 @@ public final class FixedStep {
             }
         }
         Arrays.fill(to, length, whole, Float.NaN);
-        BulkCopies.put(shown, to, whole);
-        world.markGone(shown, 2, living);
+        BulkCopies.put(shown.values, to, whole);
+        world.markGone(shown.values, 2, living);
         for (int id = world.nextNew(0); id >= 0; id = world.nextNew(id + 1)) {
             long added = world.handle(id);
-            shown.put(2 * id, world.x(added));
-            shown.put(2 * id + 1, world.y(added));
+            shown.values.put(2 * id, world.x(added));
+            shown.values.put(2 * id + 1, world.y(added));
         }
-        ((Buffer) view).clear().limit(whole);
-        return view;
+        return shown.first(whole);
     }
 
     /**
@@ -453,17 +463,16 @@ public final class FixedStep {
         int length = after.limit() / 2;
         float alpha = alpha();
         for (int k = 0; k < length; k++) {
-            shownRadii.put(k, radiiBefore[k] + (radiiAfter[k] - radiiBefore[k]) * alpha);
+            shownRadii.values.put(k, radiiBefore[k] + (radiiAfter[k] - radiiBefore[k]) * alpha);
         }
         for (int k = length; k < whole; k++) {
-            shownRadii.put(k, Float.NaN);
+            shownRadii.values.put(k, Float.NaN);
         }
-        world.markGone(shownRadii, 1, null);
+        world.markGone(shownRadii.values, 1, null);
         for (int id = world.nextNew(0); id >= 0; id = world.nextNew(id + 1)) {
-            shownRadii.put(id, world.radius(world.handle(id)));
+            shownRadii.values.put(id, world.radius(world.handle(id)));
         }
-        ((Buffer) viewOfRadii).clear().limit(whole);
-        return viewOfRadii;
+        return shownRadii.first(whole);
     }
 
     /**
@@ -490,17 +499,16 @@ public final class FixedStep {
         float alpha = alpha();
         for (int k = 0; k < length; k++) {
             int way = anglesAfter[k] - anglesBefore[k]; // the short one: turns wrap
-            shownAngles.put(k, Surface.radians(anglesBefore[k] + (int) ((double) way * alpha)));
+            shownAngles.values.put(k, Surface.radians(anglesBefore[k] + (int) ((double) way * alpha)));
         }
         for (int k = length; k < whole; k++) {
-            shownAngles.put(k, Float.NaN);
+            shownAngles.values.put(k, Float.NaN);
         }
-        world.markGone(shownAngles, 1, null);
+        world.markGone(shownAngles.values, 1, null);
         for (int id = world.nextNew(0); id >= 0; id = world.nextNew(id + 1)) {
-            shownAngles.put(id, world.angle(world.handle(id)));
+            shownAngles.values.put(id, world.angle(world.handle(id)));
         }
-        ((Buffer) viewOfAngles).clear().limit(whole);
-        return viewOfAngles;
+        return shownAngles.first(whole);
     }
 
     /**
@@ -630,52 +638,28 @@ public final class FixedStep {
     }
 
     private void ensure(int length) {
+        shown.ensure(length);
         if (to.length < length) {
-            int room = length + (length >> 1);
-            FloatBuffer larger = direct(room);
-            FloatBuffer newView = larger.asReadOnlyBuffer();
-            float[] newFrom = new float[room];
-            float[] newTo = new float[room];
-            shown = larger;
-            view = newView;
-            from = newFrom;
-            to = newTo;
+            from = new float[shown.values.capacity()];
+            to = new float[shown.values.capacity()];
         }
     }
 
-    /** Makes room for radii, and keeps those that are there. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room for radii, and keeps those that are there. */
     private void ensureRadii(int ids) {
+        shownRadii.ensure(ids);
         if (radiiAfter.length < ids) {
-            int room = ids + (ids >> 1);
-            FloatBuffer larger = direct(room);
-            FloatBuffer newView = larger.asReadOnlyBuffer();
-            float[] newBefore = Arrays.copyOf(radiiBefore, room);
-            float[] newAfter = Arrays.copyOf(radiiAfter, room);
-            shownRadii = larger;
-            viewOfRadii = newView;
-            radiiBefore = newBefore;
-            radiiAfter = newAfter;
+            radiiBefore = Arrays.copyOf(radiiBefore, shownRadii.values.capacity());
+            radiiAfter = Arrays.copyOf(radiiAfter, shownRadii.values.capacity());
         }
     }
 
     /** As {@link #ensureRadii}. */
     private void ensureAngles(int ids) {
+        shownAngles.ensure(ids);
         if (anglesAfter.length < ids) {
-            int room = ids + (ids >> 1);
-            FloatBuffer larger = direct(room);
-            FloatBuffer newView = larger.asReadOnlyBuffer();
-            int[] newBefore = Arrays.copyOf(anglesBefore, room);
-            int[] newAfter = Arrays.copyOf(anglesAfter, room);
-            shownAngles = larger;
-            viewOfAngles = newView;
-            anglesBefore = newBefore;
-            anglesAfter = newAfter;
+            anglesBefore = Arrays.copyOf(anglesBefore, shownAngles.values.capacity());
+            anglesAfter = Arrays.copyOf(anglesAfter, shownAngles.values.capacity());
         }
-    }
-
-    private static FloatBuffer direct(int floats) {
-        return ByteBuffer.allocateDirect(Float.BYTES * floats)
-                .order(ByteOrder.nativeOrder())
-                .asFloatBuffer();
     }
 }

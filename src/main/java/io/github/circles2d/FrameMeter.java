@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.Random;
 
 /** Times loops of a crowd that fills 0.62 of the unit square and settles: the circles of the thesis's test program, in scale. */
-final class FrameMeter implements Meter {
+final class FrameMeter implements Calibration.Meter {
     private static final int LOOPS = 7;
     private static final int LOOP_WARM_UP = 3;
 

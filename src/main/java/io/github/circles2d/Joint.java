@@ -37,7 +37,6 @@ public final class Joint {
     }
 
     // ---- along a line
-    // ------------------------------------------------------------------------------------------------
 
     /**
      * Keeps two ends as far apart as they are when the joint is added.
@@ -110,7 +109,6 @@ public final class Joint {
     }
 
     // ---- at a place
-    // --------------------------------------------------------------------------------------------------
 
     /**
      * Keeps the centre of a circle, or a point of a body, at an anchor; or a point of a body at a circle or at a point of another body: a hinge. Both may
@@ -149,7 +147,6 @@ public final class Joint {
     }
 
     // ---- how circles and bodies turn
-    // ---------------------------------------------------------------------------------
 
     /**
      * Turns a circle or body at a speed, against the world or against another circle or body. The other one gets the opposite torque. If joints hold that by
@@ -201,7 +198,6 @@ public final class Joint {
     }
 
     // ---- changed a little
-    // --------------------------------------------------------------------------------------------
 
     private Joint with(JointSetting setting, float a, float b) {
         return new Joint(form.copy().set(setting, a, b));
@@ -264,121 +260,71 @@ public final class Joint {
     }
 
     // ---- what it is
-    // --------------------------------------------------------------------------------------------------
 
-    /**
-     * What the joint is.
-     *
-     * @return never null
-     */
+    /** {@return what the joint is, never null} */
     public JointType type() {
         return TYPES[form.kind()];
     }
 
     /**
-     * The length of a distance joint, a spring or a weld.
-     *
-     * @return NaN if it is that of the ends when the joint is added; 0 if a joint of this type has none
+     * {@return the length of a distance joint, a spring or a weld; NaN if it is that of the ends when the joint is added; 0 if a joint of this type
+     * has none}
      */
     public float length() {
         return form.value(JointRow.LENGTH);
     }
 
-    /**
-     * The least length.
-     *
-     * @return at least 0
-     */
+    /** {@return the least length, at least 0} */
     public float minLength() {
         return form.value(JointRow.MIN_LENGTH);
     }
 
-    /**
-     * The greatest length.
-     *
-     * @return infinite if there is none
-     */
+    /** {@return the greatest length; infinite if there is none} */
     public float maxLength() {
         return form.value(JointRow.MAX_LENGTH);
     }
 
-    /**
-     * How often its spring swings in a second without damping.
-     *
-     * @return 0 if it has none
-     */
+    /** {@return how often its spring swings in a second without damping; 0 if it has none} */
     public float hertz() {
         return form.frequency();
     }
 
-    /**
-     * The damping ratio of its spring.
-     *
-     * @return at least 0
-     */
+    /** {@return the damping ratio of its spring, at least 0} */
     public float dampingRatio() {
         return form.dampingRatio();
     }
 
-    /**
-     * The speed of a motor.
-     *
-     * @return radians per second; 0 if it is none
-     */
+    /** {@return the speed of a motor in radians per second; 0 if it is none} */
     public float speed() {
         return form.value(JointRow.SPEED);
     }
 
-    /**
-     * The angle of a servo.
-     *
-     * @return radians, at least -pi and less than pi; 0 if it is none
-     */
+    /** {@return the angle of a servo in radians, at least -pi and less than pi; 0 if it is none} */
     public float angle() {
         return Surface.radians(form.angle());
     }
 
-    /**
-     * The greatest force.
-     *
-     * @return infinite if there is no limit
-     */
+    /** {@return the greatest force; infinite if there is no limit} */
     public float maxForce() {
         return form.value(JointRow.MAX_FORCE);
     }
 
-    /**
-     * The greatest torque.
-     *
-     * @return infinite if there is no limit
-     */
+    /** {@return the greatest torque; infinite if there is no limit} */
     public float maxTorque() {
         return form.value(JointRow.MAX_TORQUE);
     }
 
-    /**
-     * The force by which it breaks.
-     *
-     * @return infinite if none does
-     */
+    /** {@return the force by which it breaks; infinite if none does} */
     public float breakForce() {
         return form.value(JointRow.BREAK_FORCE);
     }
 
-    /**
-     * The torque by which it breaks.
-     *
-     * @return infinite if none does
-     */
+    /** {@return the torque by which it breaks; infinite if none does} */
     public float breakTorque() {
         return form.value(JointRow.BREAK_TORQUE);
     }
 
-    /**
-     * Whether its two circles or bodies collide.
-     *
-     * @return false at first
-     */
+    /** {@return whether its two circles or bodies collide; false at first} */
     public boolean collides() {
         return (form.traits() & JointRow.COLLIDE) != 0;
     }

@@ -45,11 +45,7 @@ public final class JointEvents {
         return rows;
     }
 
-    /**
-     * The number of events.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of events, at least 0} */
     public int size() {
         return rows.count();
     }

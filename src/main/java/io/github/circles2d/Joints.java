@@ -2,7 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.Handle;
-import io.github.circles2d.world.joints.JointEndType;
+import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
 import io.github.circles2d.world.model.Limits;
@@ -56,7 +56,6 @@ public final class Joints {
     }
 
     // ---- joints come
-    // -------------------------------------------------------------------------------------------------
 
     /**
      * Adds a joint between two circles or bodies, which are held at their centres.
@@ -87,8 +86,7 @@ public final class Joints {
      *     between two, or there are 2^20 joints
      */
     public long add(long body, float x, float y, long other, float otherX, float otherY, Joint joint) {
-        return simulation.joints.add(
-                JointEndType.RIGID, body, x, y, JointEndType.RIGID, other, otherX, otherY, form(joint));
+        return simulation.joints.add(JointEnds.RIGID, body, x, y, JointEnds.RIGID, other, otherX, otherY, form(joint));
     }
 
     /**
@@ -103,7 +101,7 @@ public final class Joints {
      * @throws IllegalArgumentException as {@link #add(long, float, float, long, float, float, Joint)}
      */
     public long add(long body, float x, float y, long circle, Joint joint) {
-        return simulation.joints.add(JointEndType.RIGID, body, x, y, JointEndType.CIRCLE, circle, 0, 0, form(joint));
+        return simulation.joints.add(JointEnds.RIGID, body, x, y, JointEnds.CIRCLE, circle, 0, 0, form(joint));
     }
 
     /**
@@ -121,15 +119,7 @@ public final class Joints {
      */
     public long add(long body, float x, float y, float worldX, float worldY, Joint joint) {
         return simulation.joints.add(
-                JointEndType.RIGID,
-                body,
-                x,
-                y,
-                JointEndType.ANCHOR,
-                simulation.bodies.ground(),
-                worldX,
-                worldY,
-                form(joint));
+                JointEnds.RIGID, body, x, y, JointEnds.ANCHOR, simulation.bodies.ground(), worldX, worldY, form(joint));
     }
 
     /**
@@ -149,7 +139,7 @@ public final class Joints {
     public long add(long body, float x, float y, TerrainBody terrain, float terrainX, float terrainY, Joint joint) {
         long handle = Limits.notNull("terrain", terrain).handleIn(simulation);
         return simulation.joints.add(
-                JointEndType.RIGID, body, x, y, JointEndType.ANCHOR, handle, terrainX, terrainY, form(joint));
+                JointEnds.RIGID, body, x, y, JointEnds.ANCHOR, handle, terrainX, terrainY, form(joint));
     }
 
     /**
@@ -226,7 +216,6 @@ public final class Joints {
     }
 
     // ---- joints go
-    // ---------------------------------------------------------------------------------------------------
 
     /**
      * Removes a joint.
@@ -254,7 +243,6 @@ public final class Joints {
     }
 
     // ---- which there are
-    // ---------------------------------------------------------------------------------------------
 
     /**
      * Whether a handle is that of a joint of this world.
@@ -266,11 +254,7 @@ public final class Joints {
         return simulation.jointIds.contains(joint);
     }
 
-    /**
-     * The number of joints.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of joints, at least 0} */
     public int size() {
         return simulation.jointIds.size();
     }
@@ -286,11 +270,7 @@ public final class Joints {
         return Handle.id(joint);
     }
 
-    /**
-     * How long the caller's arrays by id of joints must be: one more than the greatest id that a joint has had.
-     *
-     * @return at least {@link #size}
-     */
+    /** {@return how long the caller's arrays by id of joints must be: one more than the greatest id that a joint has had; at least {@link #size}} */
     public int idLimit() {
         return simulation.jointIds.limit();
     }
@@ -377,7 +357,6 @@ public final class Joints {
     }
 
     // ---- where they are, and what they do
-    // ----------------------------------------------------------------------------
 
     /**
      * Where the anchor of a joint is in the world now.
@@ -471,7 +450,6 @@ public final class Joints {
     }
 
     // ---- joints that go by themselves
-    // --------------------------------------------------------------------------------
 
     /**
      * Sets whether {@link #events} tells of joints that go by themselves. By default it tells of none, which costs nothing. This changes no step, and
@@ -484,9 +462,8 @@ public final class Joints {
     }
 
     /**
-     * The joints that went by themselves since the last call of this method, or since {@link World#restore}.
-     *
-     * @return always the same object, which the next call fills again
+     * {@return the joints that went by themselves since the last call of this method, or since {@link World#restore}: always the same object, which
+     * the next call fills again}
      */
     public JointEvents events() {
         simulation.joints.take(events.rows());
@@ -494,7 +471,6 @@ public final class Joints {
     }
 
     // ---- joints change
-    // -----------------------------------------------------------------------------------------------
 
     private void set(JointSetting setting, long joint, float a, float b) {
         simulation.calls.change(

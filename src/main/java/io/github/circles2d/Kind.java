@@ -1,9 +1,9 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.changes.Kinds;
-import io.github.circles2d.world.model.BeltSpeed;
 import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.SurfaceSettings;
 
 /**
  * A kind of circles of a world, such as players, bullets or grains. It decides which other circles they meet, and how they move. A world
@@ -58,11 +58,7 @@ public final class Kind {
         this.number = number;
     }
 
-    /**
-     * The number of the kind.
-     *
-     * @return 0 to 255
-     */
+    /** {@return the number of the kind, 0 to 255} */
     public int number() {
         return number;
     }
@@ -100,11 +96,7 @@ public final class Kind {
         return set(KindField.CATEGORY, category);
     }
 
-    /**
-     * The categories of the kind, for the masks of others.
-     *
-     * @return bits; 1 at first
-     */
+    /** {@return the categories of the kind, for the masks of others: bits; 1 at first} */
     public int category() {
         return kinds.get(KindField.CATEGORY, number);
     }
@@ -119,11 +111,7 @@ public final class Kind {
         return set(KindField.MASK, mask);
     }
 
-    /**
-     * The categories that circles of the kind meet.
-     *
-     * @return bits of categories; all at first
-     */
+    /** {@return the categories that circles of the kind meet: bits; all at first} */
     public int mask() {
         return kinds.get(KindField.MASK, number);
     }
@@ -141,11 +129,7 @@ public final class Kind {
         return set(KindField.SENSOR, sensor ? 1 : 0);
     }
 
-    /**
-     * Whether the kind is a sensor.
-     *
-     * @return false at first
-     */
+    /** {@return whether the kind is a sensor; false at first} */
     public boolean isSensor() {
         return kinds.get(KindField.SENSOR, number) != 0;
     }
@@ -165,11 +149,7 @@ public final class Kind {
         return set(KindField.SENSES_STATIC, senses ? 1 : 0);
     }
 
-    /**
-     * Whether static circles of the kind sense static circles and pieces of bodies.
-     *
-     * @return false at first
-     */
+    /** {@return whether static circles of the kind sense static circles and pieces of bodies; false at first} */
     public boolean sensesStatic() {
         return kinds.get(KindField.SENSES_STATIC, number) != 0;
     }
@@ -188,11 +168,7 @@ public final class Kind {
         return set(KindField.RESTITUTION, restitution);
     }
 
-    /**
-     * The restitution that circles get with the kind.
-     *
-     * @return 0 to 1, or NaN if it has none, as at first
-     */
+    /** {@return the restitution that circles get with the kind: 0 to 1, or NaN if it has none, as at first} */
     public float restitution() {
         return kinds.getFloat(KindField.RESTITUTION, number);
     }
@@ -210,11 +186,7 @@ public final class Kind {
         return set(KindField.GRAVITY_SCALE, scale);
     }
 
-    /**
-     * The factor of gravity for circles of the kind.
-     *
-     * @return a factor; 1 at first
-     */
+    /** {@return the factor of gravity for circles of the kind; 1 at first} */
     public float gravityScale() {
         return kinds.getFloat(KindField.GRAVITY_SCALE, number);
     }
@@ -232,11 +204,7 @@ public final class Kind {
         return set(KindField.DAMPING, damping);
     }
 
-    /**
-     * How fast circles of the kind lose their velocity.
-     *
-     * @return per second; 0 at first
-     */
+    /** {@return how fast circles of the kind lose their velocity, per second; 0 at first} */
     public float damping() {
         return kinds.getFloat(KindField.DAMPING, number);
     }
@@ -253,11 +221,7 @@ public final class Kind {
         return set(KindField.GREATEST_SPEED, speed);
     }
 
-    /**
-     * The greatest speed of circles of the kind.
-     *
-     * @return lengths per second; infinite at first
-     */
+    /** {@return the greatest speed of circles of the kind in lengths per second; infinite at first} */
     public float greatestSpeed() {
         return kinds.getFloat(KindField.GREATEST_SPEED, number);
     }
@@ -273,11 +237,7 @@ public final class Kind {
         return set(KindField.FRICTION, friction + 0f);
     }
 
-    /**
-     * The friction of circles of the kind that have none of their own.
-     *
-     * @return 0 to 1,000, or NaN if the world's counts, as at first
-     */
+    /** {@return the friction of circles of the kind that have none of their own: 0 to 1,000, or NaN if the world's counts, as at first} */
     public float friction() {
         return kinds.getFloat(KindField.FRICTION, number);
     }
@@ -293,11 +253,7 @@ public final class Kind {
         return set(KindField.ROLLING_RESISTANCE, resistance + 0f);
     }
 
-    /**
-     * The rolling resistance of circles of the kind that have none of their own.
-     *
-     * @return 0 to 1,000, or NaN if the world's counts, as at first
-     */
+    /** {@return the rolling resistance of circles of the kind that have none of their own: 0 to 1,000, or NaN if the world's counts, as at first} */
     public float rollingResistance() {
         return kinds.getFloat(KindField.ROLLING_RESISTANCE, number);
     }
@@ -317,16 +273,14 @@ public final class Kind {
      * @throws IllegalArgumentException if the value is out of range
      */
     public Kind setBeltSpeed(float speed) {
-        return set(KindField.BELT_SPEED, BeltSpeed.ofKind(speed));
+        return set(KindField.BELT_SPEED, SurfaceSettings.beltOfKind(speed));
     }
 
     /**
-     * The speed of the surface of circles and pieces of the kind.
-     *
-     * @return lengths per second, with the sign of {@link #setBeltSpeed}; 0 at first
+     * {@return the speed of the surface of circles and pieces of the kind in lengths per second, with the sign of {@link #setBeltSpeed}; 0 at first}
      */
     public float beltSpeed() {
-        return BeltSpeed.ofKind(kinds.getFloat(KindField.BELT_SPEED, number));
+        return SurfaceSettings.beltOfKind(kinds.getFloat(KindField.BELT_SPEED, number));
     }
 
     /**
@@ -340,11 +294,7 @@ public final class Kind {
         return set(KindField.INERTIA, Limits.notNull("inertia", inertia).ordinal());
     }
 
-    /**
-     * How the mass of circles of the kind lies in them.
-     *
-     * @return {@link Inertia#DISC} at first
-     */
+    /** {@return how the mass of circles of the kind lies in them; {@link Inertia#DISC} at first} */
     public Inertia inertia() {
         return World.inertia(kinds.get(KindField.INERTIA, number));
     }
@@ -360,11 +310,7 @@ public final class Kind {
         return set(KindField.ANGULAR_DAMPING, damping + 0f);
     }
 
-    /**
-     * How fast circles of the kind lose their angular velocity.
-     *
-     * @return per second; 0 at first
-     */
+    /** {@return how fast circles of the kind lose their angular velocity, per second; 0 at first} */
     public float angularDamping() {
         return kinds.getFloat(KindField.ANGULAR_DAMPING, number);
     }
@@ -382,11 +328,7 @@ public final class Kind {
         return set(KindField.ONE_WAY, oneWay ? 1 : 0);
     }
 
-    /**
-     * Whether circles pass pieces of the kind from behind.
-     *
-     * @return false at first
-     */
+    /** {@return whether circles pass pieces of the kind from behind; false at first} */
     public boolean isOneWay() {
         return kinds.get(KindField.ONE_WAY, number) != 0;
     }
@@ -401,11 +343,7 @@ public final class Kind {
         return set(KindField.AWAKE, sleeps ? 0 : 1);
     }
 
-    /**
-     * Whether circles and bodies of the kind may fall asleep.
-     *
-     * @return true at first
-     */
+    /** {@return whether circles and bodies of the kind may fall asleep; true at first} */
     public boolean sleeps() {
         return kinds.get(KindField.AWAKE, number) == 0;
     }

@@ -150,38 +150,22 @@ public final class Outline {
         return new Outline(shape.rounded(radius));
     }
 
-    /**
-     * The radius of the corners between lines.
-     *
-     * @return a length
-     */
+    /** {@return the radius of the corners between lines} */
     public float rounding() {
         return shape.rounding();
     }
 
-    /**
-     * The area, exact but for rounding: a density times it is a mass.
-     *
-     * @return an area
-     */
+    /** {@return the area, exact but for rounding: a density times it is a mass} */
     public float area() {
         return (float) shape.area();
     }
 
-    /**
-     * Where in the drawing the centroid is, which is the place of a body.
-     *
-     * @return x
-     */
+    /** {@return where in the drawing the centroid is along x, which is the place of a body} */
     public float centroidX() {
         return (float) shape.centroidX();
     }
 
-    /**
-     * As {@link #centroidX}.
-     *
-     * @return y
-     */
+    /** {@return the same along y} */
     public float centroidY() {
         return (float) shape.centroidY();
     }
@@ -196,20 +180,12 @@ public final class Outline {
         return mass * shape.inertia();
     }
 
-    /**
-     * No point of the outline is farther from the centroid.
-     *
-     * @return a length
-     */
+    /** {@return a length: no point of the outline is farther from the centroid} */
     public float reach() {
         return shape.reach();
     }
 
-    /**
-     * The lines and arcs that it was drawn with; corners that are rounded do not count.
-     *
-     * @return from 1 to 256
-     */
+    /** {@return the number of lines and arcs that it was drawn with, 1 to 256; corners that are rounded do not count} */
     public int pieces() {
         return shape.path().pieces();
     }

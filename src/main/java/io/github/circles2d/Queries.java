@@ -99,20 +99,12 @@ public final class Queries extends ShapeQueries {
         this.bodies = bodies;
     }
 
-    /**
-     * The same questions about the pieces of {@link Terrain}, with the same mask.
-     *
-     * @return always the same object
-     */
+    /** {@return the same questions about the pieces of {@link Terrain}, with the same mask; always the same object} */
     public TerrainQueries terrain() {
         return terrain;
     }
 
-    /**
-     * The same questions about the {@link Bodies} that are pushed, with the same mask.
-     *
-     * @return always the same object
-     */
+    /** {@return the same questions about the {@link Bodies} that are pushed, with the same mask; always the same object} */
     public BodyQueries bodies() {
         return bodies;
     }

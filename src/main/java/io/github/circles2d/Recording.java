@@ -55,28 +55,24 @@ public final class Recording implements AutoCloseable {
     }
 
     /**
-     * The number of steps in the log. If the log has failed, it is the number of those that the stream has taken, which a {@link Replay}
-     * makes before it says that the log is cut.
-     *
-     * @return at least 0, also after {@link #close}
+     * {@return the number of steps in the log, at least 0, also after {@link #close}} If the log has failed, it is the number of those that the
+     * stream has taken, which a {@link Replay} makes before it says that the log is cut.
      */
     public long steps() {
         return log.steps();
     }
 
     /**
-     * The length of the log so far.
-     *
-     * @return bytes, also after {@link #close}. Unless the log has failed, they include those that have not reached the stream yet
+     * {@return the length of the log so far in bytes, also after {@link #close}} Unless the log has failed, they include those that have not reached
+     * the stream yet.
      */
     public long bytes() {
         return log.bytes();
     }
 
     /**
-     * Whether the log has ended early because its stream failed. The world goes on as before. {@link #close} throws the reason.
-     *
-     * @return true if the log ends early, also after {@link #close}
+     * {@return whether the log has ended early because its stream failed, also after {@link #close}, which throws the reason} The world goes on as
+     * before.
      */
     public boolean hasFailed() {
         return log.hasFailed();

@@ -86,11 +86,7 @@ public final class Replay {
         return player.plays(world.simulation());
     }
 
-    /**
-     * Whether the log has come to its end: {@link #step} has returned false, or {@link FixedStep#advanceReplay} has made the last step.
-     *
-     * @return true if no step is left
-     */
+    /** {@return whether the log has come to its end: {@link #step} has returned false, or {@link FixedStep#advanceReplay} has made the last step} */
     public boolean hasEnded() {
         return player.hasEnded();
     }
@@ -109,20 +105,12 @@ public final class Replay {
         return this;
     }
 
-    /**
-     * The number of steps made.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of steps made, at least 0} */
     public long steps() {
         return player.steps();
     }
 
-    /**
-     * Whether some hash so far was not that of the log.
-     *
-     * @return true if the replay has left the recording
-     */
+    /** {@return whether some hash so far was not that of the log: whether the replay has left the recording} */
     public boolean differs() {
         return player.differsAt() >= 0;
     }
@@ -137,20 +125,12 @@ public final class Replay {
         return player.differsAt();
     }
 
-    /**
-     * The last step, before any difference, after which the hash was that of the log.
-     *
-     * @return the number of the step; 0 if there is none
-     */
+    /** {@return the number of the last step, before any difference, after which the hash was that of the log; 0 if there is none} */
     public long equalUpTo() {
         return player.equalUpTo();
     }
 
-    /**
-     * The first difference, for people.
-     *
-     * @return a sentence with the step and both hashes
-     */
+    /** {@return the first difference, for people: a sentence with the step and both hashes} */
     public String difference() {
         if (!differs()) {
             return "no difference in " + steps() + " steps";

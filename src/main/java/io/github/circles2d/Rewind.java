@@ -118,11 +118,7 @@ public final class Rewind {
         return ring.has(frame);
     }
 
-    /**
-     * The number of frames that can be restored.
-     *
-     * @return at least 0, at most what the constructor was told
-     */
+    /** {@return the number of frames that can be restored: at least 0, at most what the constructor was told} */
     public int size() {
         return ring.size();
     }
@@ -154,11 +150,7 @@ public final class Rewind {
         return ring.frame(k);
     }
 
-    /**
-     * Memory of the frames.
-     *
-     * @return bytes
-     */
+    /** {@return the memory of the frames in bytes} */
     public long bytes() {
         return ring.bytes();
     }

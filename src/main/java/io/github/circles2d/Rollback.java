@@ -1,11 +1,12 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.events.KeptEvents;
+import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.reports.ReportSettings;
+import io.github.circles2d.world.reports.Reports;
 import java.nio.Buffer;
 import java.nio.BufferOverflowException;
 import java.nio.ByteBuffer;
+import java.util.Arrays;
 
 /**
  * Rollback netcode: frames are made at once, with predictions for the inputs that have not come yet. If an input turns out different from
@@ -162,6 +163,18 @@ public final class Rollback {
         default void confirmed(int frame, BodyEvents touches) {}
     }
 
+    /** The state of the game at the start of a frame, what the world reported then, and the events of the frame. */
+    private static final class Frame {
+        ByteBuffer state = ByteBuffer.allocate(LEAST_STATE);
+        long random;
+        Reports.Settings reported;
+        boolean reportedJoints;
+        boolean reportedBodies;
+        final EventRows events = new EventRows();
+        final JointEvents joints = new JointEvents();
+        final BodyEvents bodies = new BodyEvents();
+    }
+
     private final World world;
     private final Game game;
     private final float timeStep;
@@ -171,23 +184,8 @@ public final class Rollback {
     private final long[] now;
     private final Events events = new Events();
 
-    // By place: of the frames from the first that is not confirmed to the next one.
-    private final KeptEvents kept;
-    private final ByteBuffer[] states;
-    private final long[] randoms;
-    private final ReportSettings[] reported;
-
-    /** By place: whether the world told of joints that go. */
-    private final boolean[] reportedJoints;
-
-    /** By place: the joints that have gone. */
-    private final JointEvents[] keptJoints;
-
-    /** By place: whether the world told of touches of bodies. */
-    private final boolean[] reportedBodies;
-
-    /** By place: those touches. */
-    private final BodyEvents[] keptBodies;
+    /** By place: those from the first that is not confirmed to the next one. */
+    private final Frame[] frames;
 
     /** The number of frames that have been made, and the next one to confirm. */
     private int frame;
@@ -229,37 +227,16 @@ public final class Rollback {
         this.window = Limits.within("the window", window, 1, GREATEST_WINDOW);
         rewind = new Rewind(world, window);
         inputs = new FrameInputs(players, WINDOWS_OF_INPUTS * window);
-        kept = new KeptEvents(window);
-        states = new ByteBuffer[window];
-        for (int place = 0; place < window; place++) {
-            states[place] = ByteBuffer.allocate(LEAST_STATE);
-        }
-        randoms = new long[window];
-        reported = new ReportSettings[window];
-        reportedJoints = new boolean[window];
-        keptJoints = new JointEvents[window];
-        reportedBodies = new boolean[window];
-        keptBodies = new BodyEvents[window];
-        for (int place = 0; place < window; place++) {
-            keptJoints[place] = new JointEvents();
-            keptBodies[place] = new BodyEvents();
-        }
+        frames = new Frame[window];
+        Arrays.setAll(frames, place -> new Frame());
     }
 
-    /**
-     * The next new frame, which {@link #advance} makes.
-     *
-     * @return its number: how many frames have been made
-     */
+    /** {@return the number of the next new frame, which {@link #advance} makes: how many frames have been made} */
     public int frame() {
         return frame;
     }
 
-    /**
-     * The number of confirmed frames that {@link Game#confirmed(int, Events)} has been told of.
-     *
-     * @return at least 0, at most {@link #frame}
-     */
+    /** {@return the number of confirmed frames that {@link Game#confirmed(int, Events)} has been told of: at least 0, at most {@link #frame}} */
     public int confirmedFrames() {
         return confirmed;
     }
@@ -283,11 +260,7 @@ public final class Rollback {
         }
     }
 
-    /**
-     * Whether {@link #advance} may make a frame: whether the window has room for it.
-     *
-     * @return false if inputs of other players must come first
-     */
+    /** {@return whether {@link #advance} may make a frame: whether the window has room for it; false if inputs of other players must come first} */
     public boolean canAdvance() {
         return frame - Math.min(frame, inputs.complete()) < window;
     }
@@ -322,16 +295,16 @@ public final class Rollback {
         while (confirmed < end) {
             isInGame = true;
             try {
-                int place = confirmed % window;
+                Frame made = frames[confirmed % window];
                 if (told == 0) {
-                    game.confirmed(confirmed, events.of(kept.at(place)));
+                    game.confirmed(confirmed, events.of(made.events));
                     told = 1;
                 }
                 if (told == 1) {
-                    game.confirmed(confirmed, keptJoints[place]);
+                    game.confirmed(confirmed, made.joints);
                     told = 2;
                 }
-                game.confirmed(confirmed, keptBodies[place]);
+                game.confirmed(confirmed, made.bodies);
             } finally {
                 isInGame = false;
             }
@@ -367,13 +340,13 @@ public final class Rollback {
 
     /** Makes the world and the game what they were at the start of the next frame to make. May be repeated if it fails. */
     private void goBack() {
-        int place = next % window;
-        world.simulation().reports.restore(reported[place]); // first: it decides which pairs that touch are restored
-        world.joints().report(reportedJoints[place]);
-        world.bodies().report(reportedBodies[place]);
+        Frame to = frames[next % window];
+        world.simulation().reports.restore(to.reported); // first: it decides which pairs that touch are restored
+        world.joints().report(to.reportedJoints);
+        world.bodies().report(to.reportedBodies);
         rewind.restore(next);
-        random = randoms[place];
-        ByteBuffer state = states[place];
+        random = to.random;
+        ByteBuffer state = to.state;
         ((Buffer) state).rewind();
         game.restore(state);
         if (state.hasRemaining()) {
@@ -386,14 +359,14 @@ public final class Rollback {
     }
 
     private void save() {
-        int place = next % window;
-        while (!hasSavedGame(place)) {
-            states[place] = ByteBuffer.allocate(2 * states[place].capacity());
+        Frame start = frames[next % window];
+        while (!hasSavedGame(start.state)) {
+            start.state = ByteBuffer.allocate(2 * start.state.capacity());
         }
-        randoms[place] = random;
-        reported[place] = world.simulation().reports.settings();
-        reportedJoints[place] = world.simulation().joints.reports();
-        reportedBodies[place] = world.simulation().rigidReads.reports();
+        start.random = random;
+        start.reported = world.simulation().reports.settings();
+        start.reportedJoints = world.simulation().joints.reports();
+        start.reportedBodies = world.simulation().rigidReads.reports();
         world.events();
         world.joints().events();
         world.bodies().events();
@@ -401,14 +374,14 @@ public final class Rollback {
         isSaved = true;
     }
 
-    private boolean hasSavedGame(int place) {
+    private boolean hasSavedGame(ByteBuffer state) {
         try {
-            ((Buffer) states[place]).clear();
-            game.save(states[place]);
-            ((Buffer) states[place]).flip();
+            ((Buffer) state).clear();
+            game.save(state);
+            ((Buffer) state).flip();
             return true;
         } catch (BufferOverflowException e) {
-            if (states[place].capacity() >= GREATEST_STATE) {
+            if (state.capacity() >= GREATEST_STATE) {
                 throw e;
             }
             return false;
@@ -428,9 +401,10 @@ public final class Rollback {
             game.afterStep(next, gone);
             BodyEvents touches = world.bodies().events();
             game.afterStep(next, touches);
-            kept.keep(next % window, happened.rows());
-            gone.rows().moveTo(keptJoints[next % window].rows());
-            touches.rows().moveTo(keptBodies[next % window].rows());
+            Frame made = frames[next % window];
+            happened.rows().moveTo(made.events);
+            gone.rows().moveTo(made.joints.rows());
+            touches.rows().moveTo(made.bodies.rows());
         } finally {
             isInFrame = false;
         }
@@ -498,39 +472,24 @@ public final class Rollback {
         }
     }
 
-    /**
-     * How many times a wrong prediction has led back to an earlier frame.
-     *
-     * @return at least 0
-     */
+    /** {@return how many times a wrong prediction has led back to an earlier frame, at least 0} */
     public long rollbacks() {
         return rollbacks;
     }
 
-    /**
-     * How many frames have been made again because of wrong predictions.
-     *
-     * @return at least 0
-     */
+    /** {@return how many frames have been made again because of wrong predictions, at least 0} */
     public long repeatedFrames() {
         return repeated;
     }
 
-    /**
-     * Memory of the frames.
-     *
-     * @return bytes
-     */
+    /** {@return the memory of the frames in bytes} */
     public long bytes() {
-        long sum = rewind.bytes() + kept.bytes();
-        for (JointEvents gone : keptJoints) {
-            sum += gone.rows().bytes();
-        }
-        for (BodyEvents touches : keptBodies) {
-            sum += touches.rows().bytes();
-        }
-        for (ByteBuffer state : states) {
-            sum += state.capacity();
+        long sum = rewind.bytes();
+        for (Frame made : frames) {
+            sum += made.state.capacity()
+                    + made.events.bytes()
+                    + made.joints.rows().bytes()
+                    + made.bodies.rows().bytes();
         }
         return sum;
     }

@@ -17,7 +17,6 @@ abstract class ShapeQueries {
     }
 
     // ---- overlaps
-    // ----------------------------------------------------------------------------------------------------
 
     /**
      * Finds all that a disc overlaps or touches.
@@ -77,7 +76,6 @@ abstract class ShapeQueries {
     }
 
     // ---- rays
-    // --------------------------------------------------------------------------------------------------------
 
     /**
      * Finds what a ray meets first.
@@ -143,7 +141,6 @@ abstract class ShapeQueries {
     }
 
     // ---- casts of discs
-    // ----------------------------------------------------------------------------------------------
 
     /**
      * Finds what a moving disc meets first.

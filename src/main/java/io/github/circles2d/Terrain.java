@@ -108,13 +108,8 @@ public final class Terrain {
     }
 
     // ---- bodies
-    // ------------------------------------------------------------------------------------------------------
 
-    /**
-     * The body that never moves, and cannot be removed. Its coordinates are the world's.
-     *
-     * @return always the same object
-     */
+    /** {@return the body that never moves, and cannot be removed: always the same object} Its coordinates are the world's. */
     public TerrainBody ground() {
         return object(simulation.bodies.ground());
     }
@@ -177,7 +172,6 @@ public final class Terrain {
     }
 
     // ---- pieces
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Adds a segment of kind 0 to the ground, without thickness. It has two sides.
@@ -316,11 +310,7 @@ public final class Terrain {
         return Handle.id(piece);
     }
 
-    /**
-     * How long the caller's arrays by id of pieces must be: one more than the greatest id that a piece has had.
-     *
-     * @return at least {@link #size}
-     */
+    /** {@return how long the caller's arrays by id of pieces must be: one more than the greatest id that a piece has had; at least {@link #size}} */
     public int idLimit() {
         return simulation.pieceIds.limit();
     }
@@ -336,11 +326,7 @@ public final class Terrain {
         return simulation.pieceIds.handle(id);
     }
 
-    /**
-     * The number of pieces.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of pieces, at least 0} */
     public int size() {
         return simulation.pieceIds.size();
     }

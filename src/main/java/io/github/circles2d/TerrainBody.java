@@ -31,11 +31,7 @@ public final class TerrainBody {
         return this;
     }
 
-    /**
-     * The handle of the body.
-     *
-     * @return never 0
-     */
+    /** {@return the handle of the body, never 0} */
     public long handle() {
         return handle;
     }
@@ -48,17 +44,12 @@ public final class TerrainBody {
         return handle;
     }
 
-    /**
-     * Whether the body is there: nobody has removed it, nor restored a state without it.
-     *
-     * @return true at first
-     */
+    /** {@return whether the body is there: nobody has removed it, nor restored a state without it; true at first} */
     public boolean exists() {
         return simulation.bodyIds.contains(handle);
     }
 
     // ---- pieces
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Adds a segment of kind 0 without thickness. It has two sides.
@@ -163,7 +154,6 @@ public final class TerrainBody {
     }
 
     // ---- motion
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Sets the velocity of the pivot, until the next call.
@@ -221,29 +211,17 @@ public final class TerrainBody {
         simulation.calls.change(Call.REMOVE_BODY, handle);
     }
 
-    /**
-     * Where the pivot is along x.
-     *
-     * @return a coordinate
-     */
+    /** {@return where the pivot is along x} */
     public float x() {
         return simulation.bodies.x(handle);
     }
 
-    /**
-     * Where the pivot is along y.
-     *
-     * @return a coordinate
-     */
+    /** {@return where the pivot is along y} */
     public float y() {
         return simulation.bodies.y(handle);
     }
 
-    /**
-     * The angle of the body.
-     *
-     * @return radians, at least -pi and less than pi
-     */
+    /** {@return the angle of the body in radians, at least -pi and less than pi} */
     public float angle() {
         return simulation.bodies.angle(handle);
     }
@@ -342,29 +320,17 @@ public final class TerrainBody {
         return simulation.bodies.vyAt(handle, worldX, worldY);
     }
 
-    /**
-     * The velocity along x that was set; {@link #vxAt} has the real one.
-     *
-     * @return lengths per second; 0 at first
-     */
+    /** {@return the velocity along x that was set, in lengths per second; 0 at first; {@link #vxAt} has the real one} */
     public float vx() {
         return simulation.bodies.vx(handle);
     }
 
-    /**
-     * The velocity along y that was set; {@link #vyAt} has the real one.
-     *
-     * @return lengths per second; 0 at first
-     */
+    /** {@return the velocity along y that was set, in lengths per second; 0 at first; {@link #vyAt} has the real one} */
     public float vy() {
         return simulation.bodies.vy(handle);
     }
 
-    /**
-     * The angular velocity that was set.
-     *
-     * @return radians per second; 0 at first
-     */
+    /** {@return the angular velocity that was set, in radians per second; 0 at first} */
     public float angularVelocity() {
         return simulation.bodies.angularVelocity(handle);
     }

@@ -8,7 +8,6 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.AxisEdge;
-import io.github.circles2d.world.model.BeltSpeed;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
@@ -131,11 +130,7 @@ public final class World implements AutoCloseable {
         bodies = new Bodies(simulation);
     }
 
-    /**
-     * Starts a description of a world.
-     *
-     * @return a builder with every parameter at its default
-     */
+    /** {@return a new description of a world, with every parameter at its default} */
     public static Builder builder() {
         return new Builder();
     }
@@ -150,7 +145,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- circles
-    // -----------------------------------------------------------------------------------------------------
 
     /**
      * Adds a circle at rest, with the world's restitution.
@@ -320,11 +314,7 @@ public final class World implements AutoCloseable {
         return simulation.circles.contains(handle);
     }
 
-    /**
-     * The number of circles.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of circles, at least 0} */
     public int size() {
         return simulation.circles.size();
     }
@@ -821,7 +811,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- the world
-    // ---------------------------------------------------------------------------------------------------
 
     /**
      * A kind of circles, to change or to ask. A circle without another kind is of kind 0. {@link #kindOf} tells the kind of a circle.
@@ -873,20 +862,12 @@ public final class World implements AutoCloseable {
         simulation.calls.makeOfFloats(Call.GRAVITY, x, y, 0, 0);
     }
 
-    /**
-     * Gravity along x.
-     *
-     * @return acceleration, in lengths per second squared
-     */
+    /** {@return gravity along x: an acceleration, in lengths per second squared} */
     public float gravityX() {
         return simulation.settings().gravityX();
     }
 
-    /**
-     * Gravity along y.
-     *
-     * @return acceleration, in lengths per second squared; negative downwards
-     */
+    /** {@return gravity along y: an acceleration, in lengths per second squared; negative downwards} */
     public float gravityY() {
         return simulation.settings().gravityY();
     }
@@ -908,38 +889,22 @@ public final class World implements AutoCloseable {
         simulation.calls.makeOfFloats(Call.BOUNDS, minX, minY, maxX, maxY);
     }
 
-    /**
-     * Where the left wall is.
-     *
-     * @return its x
-     */
+    /** {@return where the left wall is: its x} */
     public float minX() {
         return simulation.settings().bounds().minX();
     }
 
-    /**
-     * Where the lower wall is.
-     *
-     * @return its y
-     */
+    /** {@return where the lower wall is: its y} */
     public float minY() {
         return simulation.settings().bounds().minY();
     }
 
-    /**
-     * Where the right wall is.
-     *
-     * @return its x
-     */
+    /** {@return where the right wall is: its x} */
     public float maxX() {
         return simulation.settings().bounds().maxX();
     }
 
-    /**
-     * Where the upper wall is.
-     *
-     * @return its y
-     */
+    /** {@return where the upper wall is: its y} */
     public float maxY() {
         return simulation.settings().bounds().maxY();
     }
@@ -980,57 +945,40 @@ public final class World implements AutoCloseable {
         return CircleMath.shortWay(bounds.placeY(toY) - bounds.placeY(fromY), bounds.periodY());
     }
 
-    /**
-     * What there is at the left and the right edge.
-     *
-     * @return as {@link Builder#edges} has set it, or a restored snapshot
-     */
+    /** {@return what there is at the left and the right edge, as {@link Builder#edges} has set it, or a restored snapshot} */
     public Edge edgeX() {
         return EDGES[simulation.settings().bounds().edgeX().ordinal()];
     }
 
-    /**
-     * What there is at the lower and the upper edge.
-     *
-     * @return as {@link Builder#edges} has set it, or a restored snapshot
-     */
+    /** {@return what there is at the lower and the upper edge, as {@link Builder#edges} has set it, or a restored snapshot} */
     public Edge edgeY() {
         return EDGES[simulation.settings().bounds().edgeY().ordinal()];
     }
 
-    /**
-     * The restitution that new circles get.
-     *
-     * @return 0 (inelastic) to 1 (elastic)
-     */
+    /** {@return the restitution that new circles get: 0 (inelastic) to 1 (elastic)} */
     public float defaultRestitution() {
         return simulation.settings().defaultRestitution();
     }
 
     /**
-     * The friction of circles that have none of their own, nor by their kind, as {@link Builder#friction} has set it, or a restored
-     * snapshot.
-     *
-     * @return 0 to 1,000
+     * {@return the friction of circles that have none of their own, nor by their kind, as {@link Builder#friction} has set it, or a restored
+     * snapshot: 0 to 1,000}
      */
     public float defaultFriction() {
         return simulation.settings().surfaces().friction;
     }
 
     /**
-     * The rolling resistance of circles that have none of their own, nor by their kind, as {@link Builder#rollingResistance} has set it, or
-     * a restored snapshot.
-     *
-     * @return 0 to 1,000
+     * {@return the rolling resistance of circles that have none of their own, nor by their kind, as {@link Builder#rollingResistance} has set it, or
+     * a restored snapshot: 0 to 1,000}
      */
     public float defaultRollingResistance() {
         return simulation.settings().surfaces().rollingResistance;
     }
 
     /**
-     * Whether circles that lie still fall asleep, as {@link Builder#sleep} has set it, or a restored snapshot.
-     *
-     * @return false if all are always awake
+     * {@return whether circles that lie still fall asleep, as {@link Builder#sleep} has set it, or a restored snapshot; false if all are always
+     * awake}
      */
     public boolean sleeps() {
         return simulation.settings().sleeps();
@@ -1055,7 +1003,7 @@ public final class World implements AutoCloseable {
                 number,
                 Float.floatToRawIntBits(friction),
                 Float.floatToRawIntBits(rollingResistance),
-                Float.floatToRawIntBits(BeltSpeed.ofWall(number, beltSpeed)));
+                Float.floatToRawIntBits(SurfaceSettings.beltOfWall(number, beltSpeed)));
     }
 
     /**
@@ -1092,50 +1040,31 @@ public final class World implements AutoCloseable {
      */
     public float wallBeltSpeed(Wall wall) {
         int number = Limits.notNull("wall", wall).ordinal();
-        return BeltSpeed.ofWall(number, simulation.settings().surfaces().wallBelt(number));
+        return SurfaceSettings.beltOfWall(
+                number, simulation.settings().surfaces().wallBelt(number));
     }
 
-    /**
-     * The number of sub-steps a step.
-     *
-     * @return 1 to 16
-     */
+    /** {@return the number of sub-steps a step, 1 to 16} */
     public int subSteps() {
         return simulation.settings().subSteps();
     }
 
-    /**
-     * The speed up to which impacts do not bounce.
-     *
-     * @return lengths per second; -1 if it follows from gravity, radii and restitutions
-     */
+    /** {@return the speed up to which impacts do not bounce, in lengths per second; -1 if it follows from gravity, radii and restitutions} */
     public float restitutionThreshold() {
         return simulation.settings().contacts().restitutionThreshold();
     }
 
-    /**
-     * The stiffness of contacts.
-     *
-     * @return hertz
-     */
+    /** {@return the stiffness of contacts in hertz} */
     public float contactFrequency() {
         return simulation.settings().contacts().frequency();
     }
 
-    /**
-     * The damping ratio of contacts.
-     *
-     * @return at least 0
-     */
+    /** {@return the damping ratio of contacts, at least 0} */
     public float contactDamping() {
         return simulation.settings().contacts().damping();
     }
 
-    /**
-     * The greatest speed at which overlaps are pushed out that are not deep.
-     *
-     * @return mean radii of the pair a second
-     */
+    /** {@return the greatest speed at which overlaps are pushed out that are not deep, in mean radii of the pair a second} */
     public float greatestPushOutSpeed() {
         return simulation.settings().contacts().pushOutSpeed();
     }
@@ -1175,7 +1104,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /**
      * Reads x, y, radius and mass of every circle, in the order of the ids.
@@ -1724,9 +1652,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The terrain: what circles lie on, roll along and bounce off besides walls and each other. It has no pieces at first.
-     *
-     * @return always the same object; its calls follow the rules of this class
+     * {@return the terrain, always the same object: what circles lie on, roll along and bounce off besides walls and each other} It has no pieces at
+     * first. Its calls follow the rules of this class.
      */
     public Terrain terrain() {
         simulation.check();
@@ -1734,29 +1661,23 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The joints: what holds circles to each other, to places, to bodies of terrain, or makes them turn. There are none at first.
-     *
-     * @return always the same object
+     * {@return the joints, always the same object: what holds circles to each other, to places, to bodies of terrain, or makes them turn} There are
+     * none at first.
      */
     public Joints joints() {
         simulation.check();
         return joints;
     }
 
-    /**
-     * The bodies that are pushed: boxes, capsules, any outline. There are none at first.
-     *
-     * @return always the same object
-     */
+    /** {@return the bodies that are pushed, always the same object: boxes, capsules, any outline} There are none at first. */
     public Bodies bodies() {
         simulation.check();
         return bodies;
     }
 
     /**
-     * Questions about where circles are: overlaps, the circle at a point, the nearest ones, rays and casts.
-     *
-     * @return always the same object; its calls follow the rules of this class
+     * {@return questions about where circles are, always the same object: overlaps, the circle at a point, the nearest ones, rays and casts} Its
+     * calls follow the rules of this class.
      */
     public Queries queries() {
         simulation.searches.requireOpen();
@@ -1776,10 +1697,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The size of the world, its back end, and the work of the last step. Waits for the device, and takes about as long as a read: a
-     * call a second is fine, one a frame is not.
-     *
-     * @return the figures as of now
+     * {@return the size of the world, its back end, and the work of the last step, as of now} Waits for the device, and takes about as long as a
+     * read: a call a second is fine, one a frame is not.
      */
     public WorldStats stats() {
         Simulation.Figures figures = simulation.figures();
@@ -1802,7 +1721,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- events
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Sets the types of events that {@link #events} reports of all circles, and of circles and pieces of {@link Terrain}, from the next step on,
@@ -1892,10 +1810,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The events of all steps since the last call of this method, or since {@link #restore}. Call it often while the world reports: all
-     * events are kept until then.
-     *
-     * @return always the same object, which the next call fills again
+     * {@return the events of all steps since the last call of this method, or since {@link #restore}: always the same object, which the next call
+     * fills again} Call it often while the world reports: all events are kept until then.
      */
     public Events events() {
         return events.of(simulation.reports.take());
@@ -1930,7 +1846,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- snapshots
-    // ---------------------------------------------------------------------------------------------------
 
     /**
      * The number of bytes that {@link #snapshot} would write now.
@@ -2016,7 +1931,8 @@ public final class World implements AutoCloseable {
                 int at = 3 * wall;
                 settings = Float.isNaN(walls[at])
                         ? settings.withWall(wall, friction, rollingResistance, 0)
-                        : settings.withWall(wall, walls[at], walls[at + 1], BeltSpeed.ofWall(wall, walls[at + 2]));
+                        : settings.withWall(
+                                wall, walls[at], walls[at + 1], SurfaceSettings.beltOfWall(wall, walls[at + 2]));
             }
             return settings.any() ? settings : SurfaceSettings.NONE;
         }

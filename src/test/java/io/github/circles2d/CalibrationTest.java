@@ -58,7 +58,7 @@ class CalibrationTest {
     }
 
     /** Gives times instead of taking them: the row search is the fastest. */
-    private static final class FakeMeter implements Meter {
+    private static final class FakeMeter implements Calibration.Meter {
         final List<String> calls = new ArrayList<>();
 
         @Override
@@ -68,7 +68,7 @@ class CalibrationTest {
         }
     }
 
-    private static Calibration calibrate(Meter meter) {
+    private static Calibration calibrate(Calibration.Meter meter) {
         return Calibration.run(TestDevices.all(), meter, Calibration.SIZES);
     }
 
@@ -248,7 +248,7 @@ class CalibrationTest {
 
     @Test
     void timesThatStayUncleanAreRefusedAndAnOlderFileStays() throws IOException {
-        Meter busy = (device, indexing, circles) -> FrameTimes.steady(circles == 8_000 ? 250 : 1);
+        Calibration.Meter busy = (device, indexing, circles) -> FrameTimes.steady(circles == 8_000 ? 250 : 1);
         String figures = "1,000 circles took 1.00 ms and 8,000 took 250, 250 times as long";
         assertThatIllegalStateException()
                 .isThrownBy(() -> calibrate(busy))
@@ -321,7 +321,7 @@ class CalibrationTest {
     @Tag("long")
     void aRealCalibrationTimesEveryDeviceAndIsFollowed() throws IOException {
         List<Device> devices = TestDevices.all();
-        Meter meter = new FrameMeter();
+        Calibration.Meter meter = new FrameMeter();
         // other tests may run at the same time, so it does not tell how even loops are
         Calibration.run(
                 devices,

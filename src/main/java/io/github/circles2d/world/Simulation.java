@@ -296,25 +296,21 @@ public final class Simulation implements AutoCloseable {
     /** Waits until all steps that were asked for have been made. */
     public void finish() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.finish();
-        } finally {
-            world.guard.leave();
         }
     }
 
     public long hash() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             return world.copies.hash();
-        } finally {
-            world.guard.leave();
         }
     }
 
     public Figures figures() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.finish();
             boolean hold = world.state.figuresHold();
             return new Figures(
@@ -333,8 +329,6 @@ public final class Simulation implements AutoCloseable {
                             + world.rigids.bytes(),
                     Collections.unmodifiableMap(world.pipeline.stageMillis()),
                     world.pipeline.device());
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -342,11 +336,9 @@ public final class Simulation implements AutoCloseable {
     @Override
     public void close() {
         world.guard.takeTurn();
-        try {
-            world.guard.close();
+        try (world.guard) {
+            world.guard.end();
             world.moves.close();
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -21,14 +21,7 @@ public final class Bodies implements Calls.Effects {
         this.world = world;
         table = world.terrain.bodies;
         places = new BodyAnchors(table);
-        world.calls.define(
-                this,
-                Call.BODY,
-                Call.REMOVE_BODY,
-                Call.BODY_VELOCITY,
-                Call.BODY_ANGULAR_VELOCITY,
-                Call.MOVE_BODY,
-                Call.TELEPORT_BODY);
+        world.calls.defineAll(this, Call.BODY, Call.TELEPORT_BODY);
     }
 
     /** The handle of the ground. */
@@ -74,10 +67,8 @@ public final class Bodies implements Calls.Effects {
     /** Takes down where bodies are. */
     public void keep(BodyPoses poses) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             poses.keep(table);
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -87,7 +87,7 @@ public final class BulkChanges {
             int[] kinds,
             boolean skipStale) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             checkCount(circles, count);
             if (each > 0) {
                 checkLength(name, each, kinds != null ? kinds.length : Limits.notNull(name, values).length, count);
@@ -102,8 +102,6 @@ public final class BulkChanges {
             }
             changes.make(operation);
             return left;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -187,20 +185,16 @@ public final class BulkChanges {
     /** {@link Explosion}; if masked, of circles and bodies whose kinds have a category of the mask. Returns how many got an impulse. */
     public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             return explode(masked, mask, false, x, y, radius, impulse, falloff);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** The same of what no piece of terrain hides. */
     public int explodeInSight(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             return explode(masked, mask, true, x, y, radius, impulse, falloff);
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -25,22 +25,8 @@ public final class Circles implements Calls.Effects {
         this.world = world;
         this.nextStep = nextStep;
         this.changes = changes;
-        world.calls.define(
-                this,
-                Call.REMOVE,
-                Call.POSITION,
-                Call.MOVE,
-                Call.VELOCITY,
-                Call.RADIUS,
-                Call.MASS,
-                Call.RESTITUTION,
-                Call.IMPULSE,
-                Call.ANGLE,
-                Call.ANGULAR_VELOCITY,
-                Call.ANGULAR_IMPULSE,
-                Call.CLEAR,
-                Call.WAKE,
-                Call.WAKE_ALL);
+        world.calls.defineAll(this, Call.REMOVE, Call.ANGULAR_IMPULSE);
+        world.calls.define(this, Call.MOVE, Call.CLEAR, Call.WAKE, Call.WAKE_ALL);
     }
 
     @Override
@@ -55,34 +41,38 @@ public final class Circles implements Calls.Effects {
         }
         if (call == Call.WAKE) {
             set(Commands.WAKE, w[0], 0, 0);
-            return 0;
+        } else {
+            make(call, w[0], w[1], w[2]);
         }
+        return 0;
+    }
+
+    private void make(Call call, int id, int a, int b) {
         changes.begin(1);
         switch (call) {
-            case REMOVE -> changes.setChecked(Commands.REMOVE, w[0], 0, 0);
-            case MOVE -> changes.move(w[0], real(w[1]), real(w[2]));
-            case ANGLE -> changes.setAngle(w[0], w[1]);
-            case ANGULAR_VELOCITY -> changes.setAngularVelocity(w[0], real(w[1]));
-            case ANGULAR_IMPULSE -> changes.pushAround(w[0], real(w[1]));
+            case REMOVE -> changes.setChecked(Commands.REMOVE, id, 0, 0);
+            case MOVE -> changes.move(id, real(a), real(b));
+            case ANGLE -> changes.setAngle(id, a);
+            case ANGULAR_VELOCITY -> changes.setAngularVelocity(id, real(a));
+            case ANGULAR_IMPULSE -> changes.pushAround(id, real(a));
             default -> {
-                set(call.number, w[0], real(w[1]), real(w[2]));
-                return 0;
+                set(call.number, id, real(a), real(b));
+                return;
             }
         }
         changes.make(call == Call.MOVE ? Commands.POSITION : call.number);
-        return 0;
+    }
+
+    private void make(Call call, long circle, int a, int b) {
+        world.guard.enter();
+        try (world.guard) {
+            make(call, world.circle(circle), a, b);
+        }
     }
 
     /** Removes a circle. */
     public void remove(long circle) {
-        world.guard.enter();
-        try {
-            changes.begin(1);
-            changes.setChecked(Commands.REMOVE, world.circle(circle), 0, 0);
-            changes.make(Commands.REMOVE);
-        } finally {
-            world.guard.leave();
-        }
+        make(Call.REMOVE, circle, 0, 0);
     }
 
     /**
@@ -115,10 +105,8 @@ public final class Circles implements Calls.Effects {
     /** Changes a circle by an operation of {@link Commands} of floats. b has no meaning if the operation has one value. */
     public void set(int operation, long circle, float a, float b) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             set(operation, world.circle(circle), a, b);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -167,72 +155,40 @@ public final class Circles implements Calls.Effects {
 
     /** Puts a circle somewhere else. A static one is to travel there in the next step. */
     public void move(long circle, float x, float y) {
-        world.guard.enter();
-        try {
-            changes.begin(1);
-            changes.move(world.circle(circle), x, y);
-            changes.make(Commands.POSITION);
-        } finally {
-            world.guard.leave();
-        }
+        make(Call.MOVE, circle, floatToRawIntBits(x), floatToRawIntBits(y));
     }
 
     /** Turns a circle to an angle in radians. */
     public void setAngle(long circle, float angle) {
         Limits.within("angle", angle, -Limits.ANGLE, Limits.ANGLE);
-        world.guard.enter();
-        try {
-            changes.begin(1);
-            changes.setAngle(world.circle(circle), Surface.units(angle));
-            changes.make(Commands.ANGLE);
-        } finally {
-            world.guard.leave();
-        }
+        make(Call.ANGLE, circle, Surface.units(angle), 0);
     }
 
     public void setAngularVelocity(long circle, float velocity) {
-        world.guard.enter();
-        try {
-            changes.begin(1);
-            changes.setAngularVelocity(world.circle(circle), velocity);
-            changes.make(Commands.ANGULAR_VELOCITY);
-        } finally {
-            world.guard.leave();
-        }
+        make(Call.ANGULAR_VELOCITY, circle, floatToRawIntBits(velocity), 0);
     }
 
     public void applyAngularImpulse(long circle, float impulse) {
-        world.guard.enter();
-        try {
-            changes.begin(1);
-            changes.pushAround(world.circle(circle), impulse);
-            changes.make(Commands.ANGULAR_IMPULSE);
-        } finally {
-            world.guard.leave();
-        }
+        make(Call.ANGULAR_IMPULSE, circle, floatToRawIntBits(impulse), 0);
     }
 
     /** Gives a circle another kind, and the restitution of the kind if it has one. */
     public void setKind(long circle, int kind) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             changes.begin(2);
             changes.setKind(world.circle(circle), kind);
             changes.make(Commands.FIELD);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Sets the force on a circle. */
     public void setForce(long circle, float x, float y) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             changes.begin(2);
             changes.setForce(world.circle(circle), x, y);
             changes.make(Commands.FIELD);
-        } finally {
-            world.guard.leave();
         }
     }
 

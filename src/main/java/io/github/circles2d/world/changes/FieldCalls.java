@@ -32,10 +32,8 @@ public final class FieldCalls implements Calls.Effects {
     /** Changes a field of a circle. */
     public void set(CircleField field, long circle, long value) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             set(field, world.circle(circle), value);
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -54,10 +54,8 @@ public final class Forces implements Calls.Effects {
     /** Applies a force to a circle in the next step. */
     public void apply(long circle, float x, float y) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             apply(world.circle(circle), x, y);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -77,10 +75,8 @@ public final class Forces implements Calls.Effects {
     /** Applies a torque to a circle in the next step. */
     public void applyTorque(long circle, float torque) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             applyTorque(world.circle(circle), torque);
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -112,10 +112,8 @@ public final class Growth implements Calls.Effects {
     /** Makes room for {@link #begin}, except for its commands. */
     void makeRoom() {
         if (radiusBefore.length < count) {
-            long[] newGrowthBefore = new long[ids.length];
-            float[] newRadiusBefore = new float[ids.length];
-            growthBefore = newGrowthBefore;
-            radiusBefore = newRadiusBefore;
+            growthBefore = new long[ids.length];
+            radiusBefore = new float[ids.length];
         }
     }
 

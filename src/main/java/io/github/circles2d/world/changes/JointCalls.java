@@ -6,7 +6,7 @@ import static java.lang.Float.floatToRawIntBits;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.joints.GoneJoints;
-import io.github.circles2d.world.joints.JointEndType;
+import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLimits;
 import io.github.circles2d.world.joints.JointSetting;
@@ -44,20 +44,11 @@ public final class JointCalls implements Calls.Effects {
     public JointCalls(WorldParts world) {
         this.world = world;
         table = world.joints.table;
-        world.calls.define(
-                this,
-                Call.JOINT_FORM,
-                Call.JOINT,
-                Call.ANCHORED_JOINT,
-                Call.JOINT_ALONE,
-                Call.RIGID_JOINT,
-                Call.JOINT_SETTING,
-                Call.REMOVE_JOINT,
-                Call.CLEAR_JOINTS);
+        world.calls.defineAll(this, Call.JOINT_FORM, Call.CLEAR_JOINTS);
+        world.calls.define(this, Call.RIGID_JOINT);
     }
 
     // ---- joints come
-    // -------------------------------------------------------------------------------------------------
 
     /** Adds a joint between two circles or bodies, which are held at their centroids, and returns its handle. */
     public long add(long first, long other, JointForm form) {
@@ -68,22 +59,22 @@ public final class JointCalls implements Calls.Effects {
     }
 
     private static int typeOf(long handle) {
-        return Handle.has(handle, Handle.RIGID) ? JointEndType.RIGID : JointEndType.CIRCLE;
+        return Handle.has(handle, Handle.RIGID) ? JointEnds.RIGID : JointEnds.CIRCLE;
     }
 
     /** Adds a joint that holds a circle or a body to no place, and returns its handle. */
     public long add(long circle, JointForm form) {
         if (Handle.has(circle, Handle.RIGID)) {
-            return add(JointEndType.RIGID, circle, 0, 0, JointEndType.NOTHING, 0, 0, 0, form);
+            return add(JointEnds.RIGID, circle, 0, 0, JointEnds.NOTHING, 0, 0, 0, form);
         }
         return add(Call.JOINT_ALONE, circle, 0, 0, 0, form);
     }
 
-    /** Adds a joint of which an end is a body that is pushed, and returns its handle. Types are those of {@link JointEndType}. */
+    /** Adds a joint of which an end is a body that is pushed, and returns its handle. Types are those of {@link JointEnds}. */
     public long add(
             int typeA, long first, float ax, float ay, int typeB, long other, float bx, float by, JointForm form) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             words[0] = typeA;
             words[1] = find(typeA, first, ": a body and its point come first, then the circle");
@@ -94,17 +85,15 @@ public final class JointCalls implements Calls.Effects {
             words[6] = floatToRawIntBits(bx);
             words[7] = floatToRawIntBits(by);
             return add(Call.RIGID_JOINT, form);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** circle: what to do with a circle where a body should be. */
     private int find(int type, long handle, String circle) {
         return switch (type) {
-            case JointEndType.CIRCLE -> circle(handle);
-            case JointEndType.RIGID -> rigid(handle, circle);
-            case JointEndType.ANCHOR -> world.body(handle);
+            case JointEnds.CIRCLE -> circle(handle);
+            case JointEnds.RIGID -> rigid(handle, circle);
+            case JointEnds.ANCHOR -> world.body(handle);
             default -> 0;
         };
     }
@@ -138,7 +127,7 @@ public final class JointCalls implements Calls.Effects {
 
     private long add(Call call, long circle, long other, float x, float y, JointForm form) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             words[0] = circle(circle);
             if (call != Call.JOINT_ALONE) {
@@ -147,8 +136,6 @@ public final class JointCalls implements Calls.Effects {
             words[2] = floatToRawIntBits(x);
             words[3] = floatToRawIntBits(y);
             return add(call, form);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -163,7 +150,6 @@ public final class JointCalls implements Calls.Effects {
     }
 
     // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #wake}. */
     private void expectToWake(int more) {
@@ -209,8 +195,8 @@ public final class JointCalls implements Calls.Effects {
     /** Checks a joint of bodies that are pushed. */
     private void prepareOfBodies(int[] w, JointForm of) {
         switch (w[4]) {
-            case JointEndType.ANCHOR -> JointLimits.anchor(of, true, real(w[6]), real(w[7]));
-            case JointEndType.NOTHING -> JointLimits.alone(of, true);
+            case JointEnds.ANCHOR -> JointLimits.anchor(of, true, real(w[6]), real(w[7]));
+            case JointEnds.NOTHING -> JointLimits.alone(of, true);
             default -> JointLimits.things(of);
         }
         if (w[0] == w[4] && w[1] == w[5]) {
@@ -219,16 +205,16 @@ public final class JointCalls implements Calls.Effects {
         }
         boolean moves = false;
         for (int end = 0; end <= 4; end += 4) {
-            if (w[end] == JointEndType.RIGID) {
+            if (w[end] == JointEnds.RIGID) {
                 JointLimits.point(real(w[end + 2]), real(w[end + 3]), world.rigids.step.outline[w[end + 1]]);
                 moves |= world.rigids.moves(w[end + 1]);
-            } else if (w[end] == JointEndType.CIRCLE) {
+            } else if (w[end] == JointEnds.CIRCLE) {
                 moves |= !world.handles.isStatic(w[end + 1]);
             }
         }
         if (!moves) {
             throw new IllegalArgumentException("nothing that the joint holds can move: "
-                    + (w[0] == JointEndType.RIGID
+                    + (w[0] == JointEnds.RIGID
                             ? "the body with the handle " + world.rigids.ids.handle(w[1])
                             : "the circle with the handle " + world.handles.handle(w[1])));
         }
@@ -238,12 +224,12 @@ public final class JointCalls implements Calls.Effects {
     private int addOfBodies(int[] w, JointForm of) {
         int joint = world.joints.add(
                 of,
-                w[0] == JointEndType.CIRCLE ? w[1] : JointRow.NONE,
-                w[4] == JointEndType.CIRCLE ? w[5] : JointRow.NONE,
-                w[0] == JointEndType.RIGID ? w[1] : JointRow.NONE,
-                w[4] == JointEndType.RIGID ? w[5] : JointRow.NONE,
+                w[0] == JointEnds.CIRCLE ? w[1] : JointRow.NONE,
+                w[4] == JointEnds.CIRCLE ? w[5] : JointRow.NONE,
+                w[0] == JointEnds.RIGID ? w[1] : JointRow.NONE,
+                w[4] == JointEnds.RIGID ? w[5] : JointRow.NONE,
                 pointsOf(w));
-        if (w[4] == JointEndType.ANCHOR) {
+        if (w[4] == JointEnds.ANCHOR) {
             world.joints.anchor(joint, w[5], real(w[6]), real(w[7]));
         }
         return joint;
@@ -252,16 +238,16 @@ public final class JointCalls implements Calls.Effects {
     /** The points of a joint on bodies that are pushed. */
     private float[] pointsOf(int[] w) {
         for (int k = 0; k < points.length; k++) {
-            points[k] = w[k < 2 ? 0 : 4] == JointEndType.RIGID ? real(w[k < 2 ? 2 + k : 4 + k]) : 0f;
+            points[k] = w[k < 2 ? 0 : 4] == JointEnds.RIGID ? real(w[k < 2 ? 2 + k : 4 + k]) : 0f;
         }
         return points;
     }
 
     /** Refuses types of ends in a log that no joint of bodies has, and ids of nothing. */
     private void requireEnds(int[] w) {
-        boolean fits = (w[0] == JointEndType.RIGID || w[0] == JointEndType.CIRCLE && w[4] == JointEndType.RIGID)
-                && w[4] >= JointEndType.CIRCLE
-                && w[4] <= JointEndType.NOTHING;
+        boolean fits = (w[0] == JointEnds.RIGID || w[0] == JointEnds.CIRCLE && w[4] == JointEnds.RIGID)
+                && w[4] >= JointEnds.CIRCLE
+                && w[4] <= JointEnds.NOTHING;
         if (!fits) {
             throw new IllegalArgumentException("no joint of bodies has ends of the types " + w[0] + " and " + w[4]);
         }
@@ -272,9 +258,9 @@ public final class JointCalls implements Calls.Effects {
     private void requireEnd(int type, int id) {
         Call.Named named =
                 switch (type) {
-                    case JointEndType.CIRCLE -> Call.Named.CIRCLE;
-                    case JointEndType.RIGID -> Call.Named.RIGID;
-                    case JointEndType.ANCHOR -> Call.Named.BODY;
+                    case JointEnds.CIRCLE -> Call.Named.CIRCLE;
+                    case JointEnds.RIGID -> Call.Named.RIGID;
+                    case JointEnds.ANCHOR -> Call.Named.BODY;
                     default -> Call.Named.NOTHING;
                 };
         world.calls.requireId(named, id);
@@ -313,7 +299,7 @@ public final class JointCalls implements Calls.Effects {
 
     private int addAll(Call call, long[] firsts, long[] others, JointForm form, long[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             int n = Limits.notNull("circles", firsts).length;
             if (call == Call.JOINT) {
@@ -336,8 +322,6 @@ public final class JointCalls implements Calls.Effects {
             addFound(n, form, to);
             world.guard.changing = false;
             return n;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -359,10 +343,8 @@ public final class JointCalls implements Calls.Effects {
 
     private void ensureFound(int n) {
         if (foundOthers.length < n) {
-            int[] newFound = new int[n];
-            int[] newFoundOthers = new int[n];
-            found = newFound;
-            foundOthers = newFoundOthers;
+            found = new int[n];
+            foundOthers = new int[n];
         }
     }
 
@@ -403,12 +385,11 @@ public final class JointCalls implements Calls.Effects {
     }
 
     // ---- joints go
-    // ---------------------------------------------------------------------------------------------------
 
     /** Removes joints, all or none. */
     public void removeAll(long[] them) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             int n = Limits.notNull("joints", them).length;
             ensureFound(n);
@@ -428,8 +409,6 @@ public final class JointCalls implements Calls.Effects {
                 table.remove(found[k]);
             }
             world.guard.changing = false;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -446,7 +425,6 @@ public final class JointCalls implements Calls.Effects {
     }
 
     // ---- calls by their words
-    // ----------------------------------------------------------------------------------------
 
     @Override
     public long make(Call call, int[] w) {
@@ -507,16 +485,13 @@ public final class JointCalls implements Calls.Effects {
     }
 
     // ---- joints that go by themselves
-    // --------------------------------------------------------------------------------
 
     /** Sets whether they are told of. */
     public void report(boolean on) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints(); // what has gone so far is told of as it was to be
             world.joints.departures.report(on);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -529,11 +504,9 @@ public final class JointCalls implements Calls.Effects {
     /** Gives those that went since the last call. */
     public void take(GoneJoints to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             world.joints.departures.gone().moveTo(to);
-        } finally {
-            world.guard.leave();
         }
     }
 }

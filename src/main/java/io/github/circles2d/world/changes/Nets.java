@@ -29,7 +29,7 @@ public final class Nets {
     /** Adds a net, and gives the handles of its circles and joints. */
     public void add(Net net, long[] circlesTo, long[] jointsTo) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             JointLimits.room(net.joints(), table.ids.size());
             for (int k = 0; k < net.joints(); k++) {
@@ -48,13 +48,10 @@ public final class Nets {
             }
             addJoints(net, circlesTo, jointsTo, before);
             world.guard.changing = false;
-        } finally {
-            world.guard.leave();
         }
     }
 
     // ---- before anything changes
-    // -------------------------------------------------------------------------------------
 
     private void check(Net net, int k) {
         try {
@@ -113,7 +110,6 @@ public final class Nets {
     }
 
     // ---- the joints come
-    // ---------------------------------------------------------------------------------------------
 
     private void addJoints(Net net, long[] circles, long[] to, Looked before) {
         for (int k = 0; k < net.joints(); k++) {

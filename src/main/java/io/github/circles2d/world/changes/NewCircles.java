@@ -39,10 +39,8 @@ public final class NewCircles implements Calls.Effects {
     /** Adds a circle, with the restitution of its kind, else the world's, and returns its handle. */
     public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             return addOne(x, y, radius, mass, vx, vy, kind);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -65,7 +63,7 @@ public final class NewCircles implements Calls.Effects {
      */
     public void addAll(float[] circles, float[] velocities, int[] kinds, long[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             Limits.notNull("circles", circles);
             int n = circles.length / CircleRow.STRIDE;
             checkLengths(n, circles, velocities, kinds, to);
@@ -74,8 +72,6 @@ public final class NewCircles implements Calls.Effects {
             world.guard.changing = true;
             admitAll(n, own, to);
             world.guard.changing = false;
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -36,17 +36,7 @@ public final class Pieces implements Calls.Effects {
         this.world = world;
         table = world.terrain.pieces;
         read = new PieceRead(world.terrain);
-        world.calls.define(
-                this,
-                Call.SEGMENT,
-                Call.ARC,
-                Call.CHAIN_START,
-                Call.CHAIN_LINE,
-                Call.CHAIN_ARC,
-                Call.CHAIN,
-                Call.REMOVE_PIECE,
-                Call.PIECE_KIND,
-                Call.CLEAR_TERRAIN);
+        world.calls.defineAll(this, Call.SEGMENT, Call.CLEAR_TERRAIN);
     }
 
     /** Adds a segment to a body, in the frame of the body, and returns its handle. */
@@ -66,7 +56,7 @@ public final class Pieces implements Calls.Effects {
     /** Adds segments without thickness, four elements each; the handles are optional. */
     public int addSegments(long body, float[] ends, int kind, long[] handles) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int of = world.body(body);
             KindTable.check(kind);
             int n = copy(ends);
@@ -89,8 +79,6 @@ public final class Pieces implements Calls.Effects {
             }
             world.guard.changing = false;
             return n;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -143,7 +131,7 @@ public final class Pieces implements Calls.Effects {
     /** Adds the pieces of a chain, and returns how many; the handles are optional. */
     public int addChain(long body, ChainPath chain, int kind, long[] handles) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int of = world.body(body);
             KindTable.check(kind);
             boolean closed = chain.isClosed();
@@ -158,8 +146,6 @@ public final class Pieces implements Calls.Effects {
             world.terrain.addChain(of, kind, chain, n, closed, handles);
             world.guard.changing = false;
             return n;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -304,12 +290,10 @@ public final class Pieces implements Calls.Effects {
     /** What pieces look like, in the order of ids, and their handles, which are optional; returns how many there are. */
     public int read(float[] to, long[] handles) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int n = checkRead(to, handles);
             read.read(to, handles);
             return n;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -317,13 +301,11 @@ public final class Pieces implements Calls.Effects {
     public int readBetween(
             BodyPoses before, BodyPoses after, float alpha, BodyPoses between, float[] to, long[] handles) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int n = checkRead(to, handles);
             between.keepBetween(before, after, alpha, world.terrain.bodies, world.terrain.bounds());
             read.read(between, to, handles);
             return n;
-        } finally {
-            world.guard.leave();
         }
     }
 

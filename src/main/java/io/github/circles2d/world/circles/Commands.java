@@ -13,7 +13,6 @@ import java.util.Arrays;
  */
 public final class Commands {
     // ---- operations
-    // --------------------------------------------------------------------------------------------------
 
     /** A new circle: x, y, radius, mass, restitution, vx, vy; its fields have their initial values. */
     public static final int ADD = 1;
@@ -70,7 +69,6 @@ public final class Commands {
     public static final int AREA = 3;
 
     // ---- fields of a record, as indices of its ints
-    // --------------------------------------------------------------------------------------------------
 
     /** Field: the operation. */
     public static final int OPCODE = 0;
@@ -136,8 +134,6 @@ public final class Commands {
     private float[] areas = new float[0];
 
     private int areaCount;
-
-    public Commands() {}
 
     public int count() {
         return count;

@@ -51,9 +51,6 @@ public final class HandleTable {
     private boolean radiiChanged;
     private final int[] population = new int[GridLevels.COUNT];
 
-    /** No circles. */
-    public HandleTable() {}
-
     private static int word(int id) {
         return id >>> WORD_SHIFT;
     }
@@ -135,23 +132,17 @@ public final class HandleTable {
         fields.makeRoom(from.fields);
     }
 
-    /** Makes room for ids. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room for ids. The array that is compared grows last: a growth that fails is tried again. */
     private void ensureIds(int ids) {
         if (ids > generation.length) {
             int c = Math.max(ids, generation.length + (generation.length >> 1));
-            long[] newLive = Arrays.copyOf(live, word(c) + 1);
-            long[] newIsStatic = Arrays.copyOf(isStatic, newLive.length);
-            int[] newLivingBefore = new int[newLive.length];
-            float[] newRadius = Arrays.copyOf(radius, c);
-            float[] newRestitution = Arrays.copyOf(restitution, c);
-            int[] newGeneration = Arrays.copyOf(generation, c);
-            live = newLive;
-            isStatic = newIsStatic;
-            livingBefore = newLivingBefore;
             livingBeforeCurrent = false;
-            radius = newRadius;
-            restitution = newRestitution;
-            generation = newGeneration;
+            livingBefore = new int[word(c) + 1];
+            live = Arrays.copyOf(live, livingBefore.length);
+            isStatic = Arrays.copyOf(isStatic, live.length);
+            radius = Arrays.copyOf(radius, c);
+            restitution = Arrays.copyOf(restitution, c);
+            generation = Arrays.copyOf(generation, c);
         }
     }
 

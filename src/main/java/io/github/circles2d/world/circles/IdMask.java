@@ -20,9 +20,6 @@ public final class IdMask {
     private long[] words = new long[0];
     private int end;
 
-    /** No ids. */
-    public IdMask() {}
-
     public static int words(int end) {
         return (end + IDS_IN_WORD - 1) >>> WORD_SHIFT;
     }

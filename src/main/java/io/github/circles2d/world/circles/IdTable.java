@@ -62,10 +62,8 @@ public final class IdTable {
     }
 
     public void setRoom(int ids) {
-        boolean[] newLive = Arrays.copyOf(live, ids);
-        int[] newGeneration = Arrays.copyOf(generation, ids);
-        live = newLive;
-        generation = newGeneration;
+        live = Arrays.copyOf(live, ids);
+        generation = Arrays.copyOf(generation, ids);
     }
 
     public void save(int[] generations) {

@@ -86,15 +86,11 @@ public class SavedCircles {
     /** Makes room for circles and sets their number. */
     public void setCircles(int count) {
         if (id.length < count) {
-            // All arrays are made before one is assigned: a growth that fails changes nothing.
-            float[] newCircle = new float[CircleRow.STRIDE * count];
-            float[] newMotion = new float[CircleRow.STRIDE * count];
-            float[] newTraits = new float[CircleRow.STRIDE * count];
-            int[] newId = new int[count];
-            circle = newCircle;
-            motion = newMotion;
-            traits = newTraits;
-            id = newId;
+            // The array that is compared grows last: a growth that fails is tried again.
+            circle = new float[CircleRow.STRIDE * count];
+            motion = new float[CircleRow.STRIDE * count];
+            traits = new float[CircleRow.STRIDE * count];
+            id = new int[count];
         }
         circles = count;
     }
@@ -122,12 +118,9 @@ public class SavedCircles {
     public void ensureImpulses(int count) {
         if (normalImpulse.length < count) {
             int c = Math.max(count, normalImpulse.length + (normalImpulse.length >> 1));
-            int[] newLo = Arrays.copyOf(lo, c);
-            int[] newHi = Arrays.copyOf(hi, c);
-            float[] newNormalImpulse = Arrays.copyOf(normalImpulse, c);
-            lo = newLo;
-            hi = newHi;
-            normalImpulse = newNormalImpulse;
+            lo = Arrays.copyOf(lo, c);
+            hi = Arrays.copyOf(hi, c);
+            normalImpulse = Arrays.copyOf(normalImpulse, c);
         }
         if (turns && rows.length < ContactRows.of(normalImpulse.length)) {
             rows = Arrays.copyOf(rows, ContactRows.of(normalImpulse.length));
@@ -138,12 +131,9 @@ public class SavedCircles {
     public void setTurns(boolean does) {
         turns = does;
         if (turns && wallRows.length < ContactRows.ofWalls(circles)) {
-            int[] newAngle = new int[circles];
-            float[] newAngularVelocity = new float[circles];
-            float[] newWallRows = new float[ContactRows.ofWalls(circles)];
-            angle = newAngle;
-            angularVelocity = newAngularVelocity;
-            wallRows = newWallRows;
+            angle = new int[circles];
+            angularVelocity = new float[circles];
+            wallRows = new float[ContactRows.ofWalls(circles)];
         }
     }
 
@@ -151,12 +141,9 @@ public class SavedCircles {
     public void setSleeps(boolean does) {
         sleeps = does;
         if (sleeps && rest.length < circles) {
-            int[] newRest = new int[circles];
-            float[] newDrift = new float[2 * circles];
-            int[] newTurned = new int[circles];
-            rest = newRest;
-            drift = newDrift;
-            turned = newTurned;
+            drift = new float[2 * circles];
+            turned = new int[circles];
+            rest = new int[circles];
         }
     }
 

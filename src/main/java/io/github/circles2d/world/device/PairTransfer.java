@@ -9,12 +9,11 @@ import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.events.RemotePairs;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 
 /** Carries the pairs that touch between the host and the table of a device. No step is pending meanwhile. */
-final class PairTransfer implements RemotePairs, AutoCloseable {
+final class PairTransfer implements ContactEvents.Remote, AutoCloseable {
     private static final int PAIR = EventArrays.PAIR;
 
     private final Session session;

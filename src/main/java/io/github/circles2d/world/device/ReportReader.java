@@ -150,7 +150,7 @@ final class ReportReader implements AutoCloseable {
         }
         touches.setPieces(ofPieces);
         deciding.send(events);
-        deciding.setHitSpeed(events.hitSpeed());
+        deciding.setHitSpeed(events.tracker.hitSpeed());
         pairs.use(stages, status);
         if (!events.areThere()) {
             pairs.send();

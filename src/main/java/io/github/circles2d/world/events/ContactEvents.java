@@ -10,7 +10,7 @@ import java.nio.IntBuffer;
 
 /**
  * Makes the events of contacts: pairs begin to touch, hit each other, and end to touch. It knows the pairs that touch, or a device
- * does, {@link RemotePairs}. A pipeline in Java tells it of the pairs in touch, {@link #concerns} and {@link #endStep}; a device hands over
+ * does, {@link Remote}. A pipeline in Java tells it of the pairs in touch, {@link TouchTracker#concerns} and {@link #endStep}; a device hands over
  * the events that it has decided, {@link #publishDecided}.
  *
  * <p>{@link TouchTracker} follows pairs, {@link EventQueue} keeps events until they are taken, and {@link
@@ -50,9 +50,10 @@ public final class ContactEvents {
     private final EventRows step = new EventRows();
 
     private final EventQueue queue = new EventQueue();
-    private final TouchTracker tracker;
+    /** Follows the pairs that are here. */
+    public final TouchTracker tracker;
     /** The pairs on a device that decides itself what a step reports of them; null if there is none. */
-    private RemotePairs remote;
+    private Remote remote;
 
     /** Whether all pairs are here; some are not while only a device knows them. */
     private boolean here = true;
@@ -83,8 +84,22 @@ public final class ContactEvents {
         boolean rest(int id, int otherId);
     }
 
+    /** The pairs that touch, on a device that decides itself what a step reports of them. */
+    public interface Remote {
+        /** Hands all pairs over, by {@link #receive}; they stay there, too. */
+        void fetchAll();
+
+        /** Whether a circle may have pairs there. A device has no room for the ids of circles that have come since its last step. */
+        boolean mayKnow(int id);
+
+        /** Hands the pairs of circles over, which it may know; they stay there, too. */
+        void fetchOf(int[] ids, int count);
+
+        /** Forgets the pairs of circles that {@link #fetchOf} has made room for. */
+        void forgetOf(int[] ids, int count);
+    }
+
     // ---- what is reported
-    // --------------------------------------------------------------------------------------------
 
     /** Whether anything is reported. */
     public boolean isOn() {
@@ -108,11 +123,6 @@ public final class ContactEvents {
     /** Whether something is reported of every pair of circles. */
     public boolean hasAllPairs() {
         return reported.isUniform() && reported.types(0, 0) != 0;
-    }
-
-    /** The types that are reported of two circles. */
-    public int typesOfCircles(int id, int otherId) {
-        return tracker.typesOfCircles(id, otherId);
     }
 
     public boolean dependsOnKinds() {
@@ -188,13 +198,7 @@ public final class ContactEvents {
         tracker.setHitSpeed(speed);
     }
 
-    /** The speed from which on a hit counts, or {@link #OF_PAIR}. */
-    public float hitSpeed() {
-        return tracker.hitSpeed();
-    }
-
     // ---- circles come and go
-    // -----------------------------------------------------------------------------------------
 
     /** Makes room for commands, and for pieces, so that {@link #apply} and {@link #learnPieces} do not run out of memory. All steps have been made. */
     public void makeRoom(Commands commands) {
@@ -255,7 +259,6 @@ public final class ContactEvents {
     }
 
     // ---- pieces of terrain come and go
-    // -------------------------------------------------------------------------------
 
     /** Sets which pieces of terrain circles may touch; there are none yet. */
     public void setPieces(PieceTable table) {
@@ -277,16 +280,15 @@ public final class ContactEvents {
     }
 
     // ---- pairs that only a device knows
-    // ------------------------------------------------------------------------------
 
     /** Sets who decides about pairs: null if this object does, which then has all of them. All pairs are here. */
-    public void setRemote(RemotePairs pairsElsewhere) {
+    public void setRemote(Remote pairsElsewhere) {
         remote = pairsElsewhere;
         there = false;
     }
 
     /** Who decides about pairs; null if this object does. */
-    public RemotePairs remote() {
+    public Remote remote() {
         return remote;
     }
 
@@ -396,7 +398,6 @@ public final class ContactEvents {
     }
 
     // ---- a step in Java
-    // ----------------------------------------------------------------------------------------------
 
     /** The number of a pair that touched in the last step, or {@link #NONE}. */
     public int find(int lower, int higher) {
@@ -418,44 +419,6 @@ public final class ContactEvents {
         return pair < pairs.count;
     }
 
-    /**
-     * Tells of a pair, by {@link #find}, that is in touch or near enough to stay so, and returns whether {@link #endStep} needs a
-     * record. Several threads may call this at once, of different pairs. The threshold is the square of the speed that a hit must
-     * exceed, unless the caller has set a speed.
-     */
-    public boolean concerns(
-            int pair, int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
-        return tracker.concerns(pair, lower, higher, touches, approach, impulse, threshold);
-    }
-
-    /** Whether a touch is a hit; threshold as in {@link #concerns}. */
-    public boolean isHit(float approach, float impulse, float threshold) {
-        return tracker.isHit(approach, impulse, threshold);
-    }
-
-    /** Whether a pair approaches fast enough for a hit; the threshold as in {@link #isHit}. */
-    public boolean isHitSpeed(float approach, float threshold) {
-        return tracker.isHitSpeed(approach, threshold);
-    }
-
-    /** Before {@link #misses}: pairs that rest go on to touch, though no step finds them. */
-    public void keep(Sleepers sleepers) {
-        tracker.keep(sleepers);
-    }
-
-    /**
-     * Whether records do not tell of every pair of circles that touched. Then {@link #stamp} has to be called for each pair that still
-     * does, before {@link #endStep}; {@link #concerns} calls it.
-     */
-    public boolean misses(TouchRecords... records) {
-        return tracker.misses(records);
-    }
-
-    /** Tells that a pair still touches. Several threads may call this at once, of different pairs. */
-    public void stamp(int pair) {
-        tracker.stamp(pair);
-    }
-
     /** Ends a step by the records of all threads, in any order. */
     public void endStep(TouchRecords... records) {
         there = false;
@@ -474,7 +437,6 @@ public final class ContactEvents {
     }
 
     // ---- for the caller
-    // ----------------------------------------------------------------------------------------------
 
     /** The events that have not been taken. */
     public EventQueue queue() {
@@ -493,7 +455,6 @@ public final class ContactEvents {
         return tracker.listPieces(kind, kindOfPieces, handles);
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return queue.bytes()
                 + step.bytes()
@@ -505,7 +466,6 @@ public final class ContactEvents {
     }
 
     // ---- snapshots
-    // ---------------------------------------------------------------------------------------------------
 
     /** Saves what the next events depend on; nothing if nothing is reported. */
     public void save(SavedTouches into) {

@@ -81,7 +81,6 @@ public final class EventQueue {
         requested = Math.min(requested, 0);
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return events.bytes() + taken.bytes();
     }

@@ -29,24 +29,18 @@ public final class EventRows {
     /** Null until events are sorted. */
     private EventSort sort;
 
-    public EventRows() {}
-
     void clear() {
         count = 0;
     }
 
-    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room. The array that is compared grows last: a growth that fails is tried again. */
     void ensure(int rows) {
         if (rows > step.length) {
             int c = Math.max(rows, Math.max(LEAST_ROWS, step.length + (step.length >> 1)));
-            int[] newWords = Arrays.copyOf(words, Math.multiplyExact(STRIDE, c));
-            long[] newA = Arrays.copyOf(a, c);
-            long[] newB = Arrays.copyOf(b, c);
-            long[] newStep = Arrays.copyOf(step, c);
-            words = newWords;
-            a = newA;
-            b = newB;
-            step = newStep;
+            words = Arrays.copyOf(words, Math.multiplyExact(STRIDE, c));
+            a = Arrays.copyOf(a, c);
+            b = Arrays.copyOf(b, c);
+            step = Arrays.copyOf(step, c);
         }
     }
 
@@ -149,6 +143,12 @@ public final class EventRows {
             to.step[to.count++] -= firstStep;
         }
         count = first;
+    }
+
+    /** Moves all events into a list, instead of those that it has. */
+    public void moveTo(EventRows to) {
+        to.clear();
+        moveFrom(0, to);
     }
 
     /** Removes an event; the last one takes its number. */
@@ -269,8 +269,103 @@ public final class EventRows {
         return event;
     }
 
-    /** Memory of the arrays. */
-    long bytes() {
+    public long bytes() {
         return (4L * STRIDE + 24L) * step.length + (sort == null ? 0 : sort.bytes());
+    }
+
+    /** Sorts the events of a step by their keys: a radix sort, which takes memory only when it sorts more than before. */
+    private static final class EventSort {
+        private static final int DIGIT_BITS = 8;
+        private static final int DIGITS = 1 << DIGIT_BITS;
+
+        /** Up to this many rows an insertion sort is faster. */
+        private static final int FEW = 32;
+
+        private final int[] starts = new int[DIGITS];
+        private long[] key = new long[0];
+        private long[] keyNext = new long[0];
+        private int[] order = new int[0];
+        private int[] orderNext = new int[0];
+
+        /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+        void ensure(int rows) {
+            if (rows > orderNext.length) {
+                int c = Math.max(rows, orderNext.length + (orderNext.length >> 1));
+                long[] newKey = new long[c];
+                long[] newKeyNext = new long[c];
+                int[] newOrder = new int[c];
+                int[] newOrderNext = new int[c];
+                key = newKey;
+                keyNext = newKeyNext;
+                order = newOrder;
+                orderNext = newOrderNext;
+            }
+        }
+
+        /** Sorts rows, for which there is room, by distinct keys. */
+        void sort(EventRows rows) {
+            int count = rows.count;
+            long varying = 0;
+            for (int row = 0; row < count; row++) {
+                key[row] = rows.key(row);
+                order[row] = row;
+                varying |= key[row] ^ key[0];
+            }
+            if (count <= FEW) {
+                insert(count);
+                return;
+            }
+            for (int shift = 0; shift < Long.SIZE; shift += DIGIT_BITS) {
+                if ((varying >>> shift & DIGITS - 1) != 0) {
+                    pass(count, shift);
+                }
+            }
+        }
+
+        private void insert(int count) {
+            for (int k = 1; k < count; k++) {
+                long own = key[k];
+                int row = order[k];
+                int place = k;
+                for (; place > 0 && key[place - 1] > own; place--) {
+                    key[place] = key[place - 1];
+                    order[place] = order[place - 1];
+                }
+                key[place] = own;
+                order[place] = row;
+            }
+        }
+
+        private void pass(int count, int shift) {
+            Arrays.fill(starts, 0);
+            for (int k = 0; k < count; k++) {
+                starts[(int) (key[k] >>> shift) & DIGITS - 1]++;
+            }
+            int sum = 0;
+            for (int digit = 0; digit < DIGITS; digit++) {
+                int many = starts[digit];
+                starts[digit] = sum;
+                sum += many;
+            }
+            for (int k = 0; k < count; k++) {
+                int place = starts[(int) (key[k] >>> shift) & DIGITS - 1]++;
+                keyNext[place] = key[k];
+                orderNext[place] = order[k];
+            }
+            long[] keys = key;
+            key = keyNext;
+            keyNext = keys;
+            int[] orders = order;
+            order = orderNext;
+            orderNext = orders;
+        }
+
+        int row(int place) {
+            return order[place];
+        }
+
+        long bytes() {
+            return 24L * orderNext.length + 4L * DIGITS;
+        }
     }
 }

@@ -28,16 +28,13 @@ final class KnownCircles {
     /** Counts how often there came to be circles of a kind, or none. */
     private int kindsVersion;
 
-    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room. The array that is compared grows last: a growth that fails is tried again. */
     void ensure(int ids) {
         if (ids > handleOf.length) {
             int c = Math.max(ids, handleOf.length + (handleOf.length >> 1));
-            int[] newChangedIn = Arrays.copyOf(changedIn, c);
-            byte[] newKindOf = Arrays.copyOf(kindOf, c);
-            long[] newHandleOf = Arrays.copyOf(handleOf, c);
-            changedIn = newChangedIn;
-            kindOf = newKindOf;
-            handleOf = newHandleOf;
+            changedIn = Arrays.copyOf(changedIn, c);
+            kindOf = Arrays.copyOf(kindOf, c);
+            handleOf = Arrays.copyOf(handleOf, c);
         }
     }
 
@@ -146,7 +143,6 @@ final class KnownCircles {
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 13L * handleOf.length;
     }

@@ -39,14 +39,12 @@ final class KnownPieces {
         return table == null || names == table.names();
     }
 
-    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room. The array that is compared grows last: a growth that fails is tried again. */
     void ensure(int ids) {
         if (ids > handleOf.length) {
             int c = Math.max(ids, handleOf.length + (handleOf.length >> 1));
-            byte[] newKindOf = Arrays.copyOf(kindOf, c);
-            long[] newHandleOf = Arrays.copyOf(handleOf, c);
-            kindOf = newKindOf;
-            handleOf = newHandleOf;
+            kindOf = Arrays.copyOf(kindOf, c);
+            handleOf = Arrays.copyOf(handleOf, c);
         }
     }
 
@@ -109,7 +107,6 @@ final class KnownPieces {
         return version;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 9L * handleOf.length + 4L * population.length;
     }

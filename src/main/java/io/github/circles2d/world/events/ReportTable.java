@@ -253,7 +253,6 @@ final class ReportTable {
         reports.setStatics(statics, bodies, asks ? asking : null);
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return wallTypes.length
                 + 8L * (2 * solidWith.length)

@@ -50,9 +50,6 @@ public final class SavedTouches {
 
     public float[] lateValues = new float[0];
 
-    /** Nothing. */
-    public SavedTouches() {}
-
     /** Forgets everything. */
     public void clear() {
         pairs = 0;
@@ -67,19 +64,14 @@ public final class SavedTouches {
         }
         if (openPair.length < openCount) {
             int c = grown(openPair.length, openCount);
-            float[] newOpenValues = Arrays.copyOf(openValues, VALUES * c);
-            int[] newOpenPair = Arrays.copyOf(openPair, c);
-            openValues = newOpenValues;
-            openPair = newOpenPair;
+            openValues = Arrays.copyOf(openValues, VALUES * c);
+            openPair = Arrays.copyOf(openPair, c);
         }
         if (lateHandles.length < 2 * lateCount) {
             int c = grown(lateHandles.length / 2, lateCount);
-            int[] newLateInts = Arrays.copyOf(lateInts, LATE_INTS * c);
-            float[] newLateValues = Arrays.copyOf(lateValues, VALUES * c);
-            long[] newLateHandles = Arrays.copyOf(lateHandles, 2 * c);
-            lateInts = newLateInts;
-            lateValues = newLateValues;
-            lateHandles = newLateHandles;
+            lateInts = Arrays.copyOf(lateInts, LATE_INTS * c);
+            lateValues = Arrays.copyOf(lateValues, VALUES * c);
+            lateHandles = Arrays.copyOf(lateHandles, 2 * c);
         }
     }
 

@@ -37,8 +37,6 @@ public final class TouchRecords {
     private int[] ended = new int[0];
     private int endedCount;
 
-    public TouchRecords() {}
-
     public void clear() {
         count = 0;
         told = 0;
@@ -72,7 +70,7 @@ public final class TouchRecords {
     }
 
     /**
-     * The number may be {@link ContactEvents#NONE}; vn is that after the step, and the threshold as in {@link ContactEvents#concerns}.
+     * The number may be {@link ContactEvents#NONE}; vn is that after the step, and the threshold as in {@link TouchTracker#concerns}.
      */
     public void add(
             int number,
@@ -89,14 +87,10 @@ public final class TouchRecords {
             float threshold) {
         if (count == higher.length) {
             int longer = Math.max(64, 2 * count);
-            int[] newLower = Arrays.copyOf(lower, longer);
-            float[] newValues = Arrays.copyOf(values, STRIDE * longer);
-            int[] newPair = Arrays.copyOf(pair, longer);
-            int[] newHigher = Arrays.copyOf(higher, longer);
-            lower = newLower;
-            values = newValues;
-            pair = newPair;
-            higher = newHigher;
+            lower = Arrays.copyOf(lower, longer);
+            values = Arrays.copyOf(values, STRIDE * longer);
+            pair = Arrays.copyOf(pair, longer);
+            higher = Arrays.copyOf(higher, longer);
         }
         pair[count] = number;
         lower[count] = lowerId;
@@ -196,7 +190,6 @@ public final class TouchRecords {
         to.setValues(row, values, STRIDE * record);
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 4L * (lower.length + higher.length + values.length + pair.length + ended.length);
     }

@@ -10,7 +10,7 @@ import java.util.Arrays;
  * hears of all: then nothing is read or written of the pairs to which nothing happened. It also lists the pairs, saves them and goes on from what was saved.
  * {@code kernels/world/stages/Events.cl} does the same on a device.
  */
-final class TouchTracker {
+public final class TouchTracker {
     static final int FIRST_STAMP = 1;
 
     private final ReportTable reported;
@@ -67,7 +67,8 @@ final class TouchTracker {
         arena = bounds;
     }
 
-    float hitSpeed() {
+    /** The speed from which on a hit counts, or {@link ContactEvents#OF_PAIR}. */
+    public float hitSpeed() {
         return hitSpeed;
     }
 
@@ -80,7 +81,6 @@ final class TouchTracker {
         return open;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return listed.bytes();
     }
@@ -92,7 +92,7 @@ final class TouchTracker {
     }
 
     /** The types that are reported of two circles. */
-    int typesOfCircles(int id, int otherId) {
+    public int typesOfCircles(int id, int otherId) {
         return reported.isUniform() ? reported.types(0, 0) : reported.types(circles.kind(id), circles.kind(otherId));
     }
 
@@ -156,8 +156,13 @@ final class TouchTracker {
         return Partner.isPiece(higher) && pieces.isGone(Partner.piece(higher));
     }
 
-    /** See {@link ContactEvents#concerns}. */
-    boolean concerns(int pair, int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
+    /**
+     * Tells of a pair, by {@link ContactEvents#find}, that is in touch or near enough to stay so, and returns whether {@link ContactEvents#endStep} needs a
+     * record. Several threads may call this at once, of different pairs. The threshold is the square of the speed that a hit must
+     * exceed, unless the caller has set a speed.
+     */
+    public boolean concerns(
+            int pair, int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
         if (pair == TouchingPairs.NONE) {
             return touches && typesOf(lower, higher) != 0;
         }
@@ -168,23 +173,26 @@ final class TouchTracker {
         return pairs.open(pair) != TouchingPairs.NONE || isHit(approach, impulse, threshold);
     }
 
-    /** Marks a pair as one that touches in this step. */
-    void stamp(int pair) {
+    /** Tells that a pair still touches. Several threads may call this at once, of different pairs. */
+    public void stamp(int pair) {
         pairs.stamp(pair, now);
     }
 
-    /** See {@link ContactEvents#isHit}. */
-    boolean isHit(float approach, float impulse, float threshold) {
+    /** Whether a touch is a hit; threshold as in {@link #concerns}. */
+    public boolean isHit(float approach, float impulse, float threshold) {
         return TouchRule.isHit(approach, impulse, threshold, hitSpeed);
     }
 
-    /** See {@link ContactEvents#isHitSpeed}. */
-    boolean isHitSpeed(float approach, float threshold) {
+    /** Whether a pair approaches fast enough for a hit; the threshold as in {@link #isHit}. */
+    public boolean isHitSpeed(float approach, float threshold) {
         return TouchRule.isHitSpeed(approach, threshold, hitSpeed);
     }
 
-    /** See {@link ContactEvents#misses}. */
-    boolean misses(TouchRecords... records) {
+    /**
+     * Whether records do not tell of every pair of circles that touched. Then {@link #stamp} has to be called for each pair that still
+     * does, before {@link ContactEvents#endStep}; {@link #concerns} calls it.
+     */
+    public boolean misses(TouchRecords... records) {
         int told = 0;
         for (TouchRecords list : records) {
             told += list.told();
@@ -192,8 +200,8 @@ final class TouchTracker {
         return told + kept != pairs.count - pairs.others;
     }
 
-    /** See {@link ContactEvents#keep}. */
-    void keep(ContactEvents.Sleepers sleepers) {
+    /** Before {@link #misses}: pairs that rest go on to touch, though no step finds them. */
+    public void keep(ContactEvents.Sleepers sleepers) {
         for (int pair = 0; pair < pairs.count; pair++) {
             int higher = pairs.higher(pair);
             boolean isCircle = Partner.isCircle(higher);
@@ -311,7 +319,6 @@ final class TouchTracker {
     }
 
     // ---- lists of pairs
-    // ----------------------------------------------------------------------------------------------
 
     /** See {@link ContactEvents#list}. */
     int list(int kindA, int kindB, long[] handles) {
@@ -359,7 +366,6 @@ final class TouchTracker {
     }
 
     // ---- snapshots
-    // ---------------------------------------------------------------------------------------------------
 
     /** Saves what the next events depend on: pairs, hits that are not complete, and late events. */
     void save(SavedTouches into) {

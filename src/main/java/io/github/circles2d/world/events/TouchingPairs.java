@@ -217,7 +217,6 @@ final class TouchingPairs {
         next[before] = to;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 5L * first.length + 4L * rows.length + 20L * b.length;
     }

@@ -15,13 +15,9 @@ public final class AnchorPlaces {
 
     private int count;
 
-    AnchorPlaces() {}
-
     void setRoom(int joints) {
-        int[] newBody = Arrays.copyOf(body, joints);
-        float[] newOnBody = Arrays.copyOf(onBody, 2 * joints);
-        body = newBody;
-        onBody = newOnBody;
+        body = Arrays.copyOf(body, joints);
+        onBody = Arrays.copyOf(onBody, 2 * joints);
     }
 
     /** How many anchors are on bodies. */

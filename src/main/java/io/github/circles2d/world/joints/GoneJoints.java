@@ -18,19 +18,14 @@ public final class GoneJoints {
     private float[] loads = new float[0];
     private byte[] reasons = new byte[0];
 
-    public GoneJoints() {}
-
     /** Makes room for more. If there is none, nothing has changed. */
     void ensure(int more) {
         int needed = count + more;
         if (needed > reasons.length) {
             int c = Math.max(needed, reasons.length + (reasons.length >> 1));
-            long[] newHandles = Arrays.copyOf(handles, HANDLES * c);
-            float[] newLoads = Arrays.copyOf(loads, LOADS * c);
-            byte[] newReasons = Arrays.copyOf(reasons, c);
-            handles = newHandles;
-            loads = newLoads;
-            reasons = newReasons;
+            handles = Arrays.copyOf(handles, HANDLES * c);
+            loads = Arrays.copyOf(loads, LOADS * c);
+            reasons = Arrays.copyOf(reasons, c);
         }
     }
 
@@ -63,7 +58,6 @@ public final class GoneJoints {
         reasons = ofReasons;
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 8L * handles.length + 4L * loads.length + reasons.length;
     }

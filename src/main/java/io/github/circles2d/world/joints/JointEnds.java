@@ -17,6 +17,18 @@ import java.nio.FloatBuffer;
  * circle. The second one is the image nearest to the first.
  */
 public final class JointEnds {
+    // what an end can be; logs have these numbers
+    public static final int CIRCLE = 0;
+
+    /** A body that is pushed. */
+    public static final int RIGID = 1;
+
+    /** A place of the world, or of a body of terrain. */
+    public static final int ANCHOR = 2;
+
+    /** The world, without a place. */
+    public static final int NOTHING = 3;
+
     private final JointTables joints;
     private final HandleTable handles;
     private final TerrainTables terrain;

@@ -105,7 +105,6 @@ public final class JointForm {
     }
 
     // ---- in logs
-    // -----------------------------------------------------------------------------------------------------------
 
     /** An int of the form in a log. */
     public int word(int k) {
@@ -155,7 +154,6 @@ public final class JointForm {
     }
 
     // ---- for people and for calls
-    // -----------------------------------------------------------------------------------------
 
     /** Whether it takes something from the circles as they are when it comes. */
     public boolean looks() {
@@ -187,7 +185,6 @@ public final class JointForm {
     }
 
     // ---- by {@link JointRow#FORM}
-    // -----------------------------------------------------------------------------------------
 
     /** One of the numbers above. */
     static int kind(int traits) {

@@ -32,22 +32,16 @@ final class JointSchedule {
     void makeRoom(JointStep step, int circleIds) {
         if (batchOf.length < circleIds) {
             int c = circleIds + (circleIds >> 1);
-            int[] newParent = new int[c];
-            int[] newSizes = new int[c];
-            int[] newBatchOf = new int[c];
-            parent = newParent;
-            sizes = newSizes;
-            batchOf = newBatchOf;
+            parent = new int[c];
+            sizes = new int[c];
+            batchOf = new int[c];
         }
         int joints = table.ids.size();
         if (step.splitEnds.length < 2 * joints) {
             int c = joints + (joints >> 1);
-            int[] newOrder = Arrays.copyOf(step.order, c);
-            int[] newSplitIds = Arrays.copyOf(step.splitIds, 2 * c);
-            int[] newSplitEnds = Arrays.copyOf(step.splitEnds, 2 * c);
-            step.order = newOrder;
-            step.splitIds = newSplitIds;
-            step.splitEnds = newSplitEnds;
+            step.order = Arrays.copyOf(step.order, c);
+            step.splitIds = Arrays.copyOf(step.splitIds, 2 * c);
+            step.splitEnds = Arrays.copyOf(step.splitEnds, 2 * c);
         }
         if (step.rigidOrder.length < table.rigid.count()) {
             step.rigidOrder = Arrays.copyOf(step.rigidOrder, table.rigid.count() + (table.rigid.count() >> 1));
@@ -87,7 +81,6 @@ final class JointSchedule {
     }
 
     // ---- components
-    // --------------------------------------------------------------------------------------------------
 
     private void connect(int circleIds) {
         for (int circle = 0; circle < circleIds; circle++) {
@@ -138,7 +131,6 @@ final class JointSchedule {
     }
 
     // ---- the order
-    // ---------------------------------------------------------------------------------------------------
 
     private void order(JointStep step) {
         int places = JointStep.BATCH_STRIDE * (step.batches + 1);
@@ -173,7 +165,6 @@ final class JointSchedule {
     }
 
     // ---- split joints
-    // ------------------------------------------------------------------------------------------------
 
     private void split(JointStep step, int circleIds) {
         int count = step.splitStart;
@@ -217,7 +208,6 @@ final class JointSchedule {
     }
 
     // ---- partners
-    // ----------------------------------------------------------------------------------------------------
 
     /** Lists all partners, of a circle in the order of the joints. */
     void makePartners(JointStep step) {

@@ -59,10 +59,8 @@ public final class JointTable {
     }
 
     private void setRoom(int c) {
-        float[] newRows = Arrays.copyOf(rows, JointRow.of(c));
-        int[] newTraits = Arrays.copyOf(traits, JointRow.traits(c));
-        rows = newRows;
-        traits = newTraits;
+        rows = Arrays.copyOf(rows, JointRow.of(c));
+        traits = Arrays.copyOf(traits, JointRow.traits(c));
         ofCircles.setRoom(c);
         places.setRoom(c);
         rigid.setRoom(c);
@@ -75,7 +73,6 @@ public final class JointTable {
     }
 
     // ---- what there is
-    // -----------------------------------------------------------------------------------------------
 
     /** A trait of {@link JointRow}. */
     int trait(int joint, int which) {
@@ -160,7 +157,6 @@ public final class JointTable {
     }
 
     // ---- the joints of a circle, in any order
-    // -------------------------------------------------------------------------
 
     /** The first place in its list, or a negative number. */
     public int firstOfCircle(int circle) {
@@ -177,7 +173,6 @@ public final class JointTable {
     }
 
     // ---- changes
-    // -----------------------------------------------------------------------------------------------------
 
     /** A joint of circle a with circle b, or with none. Its anchor follows. */
     public int add(JointForm form, int a, int b) {
@@ -343,7 +338,6 @@ public final class JointTable {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     /** Makes room for so many joints, of circles of ids below a limit, with a spring each. If there is none, nothing has changed. */
     void makeRoom(int joints, int circleIds) {
@@ -399,7 +393,6 @@ public final class JointTable {
         }
     }
 
-    /** Bytes of the table. */
     long bytes() {
         return 4L * (rows.length + traits.length)
                 + places.bytes()

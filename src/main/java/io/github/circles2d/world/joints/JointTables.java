@@ -48,7 +48,6 @@ public final class JointTables {
     }
 
     // ---- changes
-    // -----------------------------------------------------------------------------------------------------
 
     /** Adds a joint of a circle with another one, or with none; returns its id. */
     public int add(JointForm form, int circle, int other) {
@@ -120,7 +119,7 @@ public final class JointTables {
         float by = y(typeB, b, circles);
         float ax = x(typeA, a, at[0], at[1], circles);
         float ay = y(typeA, a, circles);
-        float share = typeA == JointEndType.CIRCLE ? 0f : typeB == JointEndType.CIRCLE ? 1f : 0.5f;
+        float share = typeA == JointEnds.CIRCLE ? 0f : typeB == JointEnds.CIRCLE ? 1f : 0.5f;
         float x = ax + share * CircleMath.shortWay(bx - ax, bounds.periodX());
         float y = ay + share * CircleMath.shortWay(by - ay, bounds.periodY());
         requireWeld(typeA, a, x, y);
@@ -128,14 +127,14 @@ public final class JointTables {
     }
 
     private void requireWeld(int type, int body, float x, float y) {
-        if (type == JointEndType.RIGID) {
+        if (type == JointEnds.RIGID) {
             rigids.places.look(body, x, y, terrain.bounds());
             JointLimits.weld(rigids.places.x(), rigids.places.y(), rigids.step.outline[body]);
         }
     }
 
     private float x(int type, int id, float localX, float localY, float[] circles) {
-        if (type == JointEndType.CIRCLE) {
+        if (type == JointEnds.CIRCLE) {
             return circles[CircleRow.of(handles.place(id)) + CircleRow.X];
         }
         rigids.places.of(id, localX, localY, terrain.bounds());
@@ -144,7 +143,7 @@ public final class JointTables {
 
     /** Behind {@link #x}. */
     private float y(int type, int id, float[] circles) {
-        return type == JointEndType.CIRCLE ? circles[CircleRow.of(handles.place(id)) + CircleRow.Y] : rigids.places.y();
+        return type == JointEnds.CIRCLE ? circles[CircleRow.of(handles.place(id)) + CircleRow.Y] : rigids.places.y();
     }
 
     /** A weld of a body holds both as they lie, at the middle between their points, or at the centre of a circle. */
@@ -201,7 +200,6 @@ public final class JointTables {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
     public void makeRoom(SavedJoints from, int circleIds) {
@@ -216,7 +214,6 @@ public final class JointTables {
     }
 
     // ---- steps
-    // -------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #begin}. If there is none, nothing has changed. */
     public void makeRoom(int subSteps) {
@@ -242,7 +239,6 @@ public final class JointTables {
         table.publish(step);
     }
 
-    /** Bytes of the tables. */
     public long bytes() {
         return isThere() ? table.bytes() + schedule.bytes() + departures.bytes() + stepBytes() : 0;
     }

@@ -32,12 +32,9 @@ final class JointsOfCircles {
     private int[] partners = new int[0];
 
     void setRoom(int joints) {
-        byte[] newColour = Arrays.copyOf(colour, joints);
-        int[] newNext = Arrays.copyOf(next, ENDS * joints);
-        int[] newPrevious = Arrays.copyOf(previous, ENDS * joints);
-        colour = newColour;
-        next = newNext;
-        previous = newPrevious;
+        colour = Arrays.copyOf(colour, joints);
+        next = Arrays.copyOf(next, ENDS * joints);
+        previous = Arrays.copyOf(previous, ENDS * joints);
     }
 
     /** Makes room for circles. If there is none, nothing has changed. */
@@ -45,13 +42,10 @@ final class JointsOfCircles {
         int had = first.length;
         if (had < circleIds) {
             int c = Math.max(circleIds, had + (had >> 1));
-            int[] newFirst = Arrays.copyOf(first, c);
-            int[] newColours = Arrays.copyOf(colours, c);
-            int[] newPartners = Arrays.copyOf(partners, c);
-            Arrays.fill(newFirst, had, c, NONE);
-            first = newFirst;
-            colours = newColours;
-            partners = newPartners;
+            colours = Arrays.copyOf(colours, c);
+            partners = Arrays.copyOf(partners, c);
+            first = Arrays.copyOf(first, c);
+            Arrays.fill(first, had, c, NONE);
         }
     }
 

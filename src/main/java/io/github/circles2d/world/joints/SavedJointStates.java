@@ -19,20 +19,16 @@ public final class SavedJointStates {
     public void begin(int count) {
         joints = count;
         if (serial.length < count) {
-            int[] newSerial = new int[count + (count >> 1)];
-            float[] newRows = new float[JointState.of(newSerial.length)];
-            serial = newSerial;
-            rows = newRows;
+            rows = new float[JointState.of(count + (count >> 1))];
+            serial = new int[count + (count >> 1)];
         }
     }
 
     /** Makes room for joints, and keeps those that there are; others have the serial 0 and no impulses. */
     public void extend(int count) {
         if (serial.length < count) {
-            int[] newSerial = Arrays.copyOf(serial, count + (count >> 1));
-            float[] newRows = Arrays.copyOf(rows, JointState.of(newSerial.length));
-            serial = newSerial;
-            rows = newRows;
+            rows = Arrays.copyOf(rows, JointState.of(count + (count >> 1)));
+            serial = Arrays.copyOf(serial, count + (count >> 1));
         }
         if (joints < count) {
             for (int joint = joints; joint < count; joint++) {

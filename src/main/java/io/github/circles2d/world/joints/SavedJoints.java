@@ -51,8 +51,6 @@ public final class SavedJoints {
     /** By id: {@link #VALUES} floats. */
     public float[] values = new float[0];
 
-    public SavedJoints() {}
-
     /** As it is at first. */
     public void clear() {
         ids = 0;
@@ -146,30 +144,19 @@ public final class SavedJoints {
     /** Makes room, without the contents so far, and sets the number. */
     public void setIds(int joints) {
         if (values.length < VALUES * joints) {
-            // All arrays are made before one is assigned: a growth that fails changes nothing.
+            // The array that is compared grows last: a growth that fails is tried again.
             int c = Math.max(joints, form.length + (form.length >> 1));
-            int[] newGeneration = new int[c];
-            int[] newForm = new int[c];
-            byte[] newColour = new byte[c];
-            int[] newA = new int[c];
-            int[] newB = new int[c];
-            int[] newBody = new int[c];
-            int[] newRigid = new int[2 * c];
-            float[] newRigidPoints = new float[4 * c];
-            int[] newReferenceA = new int[c];
-            int[] newReferenceB = new int[c];
-            float[] newValues = new float[VALUES * c];
-            generation = newGeneration;
-            form = newForm;
-            colour = newColour;
-            a = newA;
-            b = newB;
-            body = newBody;
-            rigid = newRigid;
-            rigidPoints = newRigidPoints;
-            referenceA = newReferenceA;
-            referenceB = newReferenceB;
-            values = newValues;
+            generation = new int[c];
+            form = new int[c];
+            colour = new byte[c];
+            a = new int[c];
+            b = new int[c];
+            body = new int[c];
+            rigid = new int[2 * c];
+            rigidPoints = new float[4 * c];
+            referenceA = new int[c];
+            referenceB = new int[c];
+            values = new float[VALUES * c];
         }
         ids = joints;
     }

@@ -367,7 +367,6 @@ public final class HostBodies implements AutoCloseable {
     }
 
     // ---- who wakes
-    // ------------------------------------------------------------------------------------------------
 
     /** Whether bodies and circles sleep in the world. */
     public boolean sleep() {
@@ -442,7 +441,6 @@ public final class HostBodies implements AutoCloseable {
     }
 
     // ---- circles at bodies
-    // -----------------------------------------------------------------------------------------
 
     /** How many circles may touch bodies in the step, or nearly. */
     public int circles() {
@@ -488,7 +486,6 @@ public final class HostBodies implements AutoCloseable {
     }
 
     // ---- passes, as RigidPasses has them
-    // -----------------------------------------------------------------------------
 
     /** Begins the passes, once circles have what they carry on from the step before. */
     public void begin() {
@@ -563,7 +560,6 @@ public final class HostBodies implements AutoCloseable {
     }
 
     // ---- sensors
-    // --------------------------------------------------------------------------------------------------
 
     /** Whether circles are sought, behind a step, that bodies may sense. */
     public boolean seeksCircles() {
@@ -610,7 +606,6 @@ public final class HostBodies implements AutoCloseable {
     }
 
     // ---- joints that hold bodies
-    // ----------------------------------------------------------------------------------
 
     private boolean joined() {
         return input.constants.joints && input.joints.rigidCount > 0;
@@ -663,7 +658,6 @@ public final class HostBodies implements AutoCloseable {
         tell();
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return state.bytes()
                 + passes.bytes()

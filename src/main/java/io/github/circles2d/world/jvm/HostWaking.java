@@ -135,7 +135,6 @@ final class HostWaking implements WakingByBodies.Circles {
     }
 
     // ---- rings
-    // -------------------------------------------------------------------------------------------------------------
 
     /** Takes which circles the device has woken in a ring, the first of which is 0. */
     void take(IntBuffer from, int at, int inRing) {
@@ -191,7 +190,6 @@ final class HostWaking implements WakingByBodies.Circles {
     }
 
     // ---- steps that are refused
-    // ----------------------------------------------------------------------------------------------
 
     private void remember() {
         begun = true;

@@ -108,9 +108,9 @@ final class Recorder {
         }
         team.all(recordAll);
         if (state.sleepers != null && state.sleepers.count > 0) {
-            events.keep(state);
+            events.tracker.keep(state);
         }
-        if (reports.recording && events.misses(records)) {
+        if (reports.recording && events.tracker.misses(records)) {
             team.all(stamp);
         }
         events.endStep(records);
@@ -145,7 +145,6 @@ final class Recorder {
         touches.stamp(team.part(contacts.count, worker), team.part(contacts.count, worker + 1));
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = touches.bytes() + sensing.bytes();
         for (TouchRecords each : records) {

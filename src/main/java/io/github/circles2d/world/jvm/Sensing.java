@@ -128,18 +128,12 @@ final class Sensing {
         }
         learn(reports);
         if (kind.length < state.capacity()) {
-            float[] newStart = new float[CircleRow.vector(state.capacity())];
-            float[] newPath = new float[state.capacity()];
-            float[] newReach = new float[state.capacity()];
-            int[] newKind = new int[state.capacity()];
-            boolean[] newSeen = new boolean[state.capacity()];
-            boolean[] newStrays = new boolean[state.capacity()];
-            start = newStart;
-            path = newPath;
-            reach = newReach;
-            kind = newKind;
-            seen = newSeen;
-            strays = newStrays;
+            start = new float[CircleRow.vector(state.capacity())];
+            path = new float[state.capacity()];
+            reach = new float[state.capacity()];
+            seen = new boolean[state.capacity()];
+            strays = new boolean[state.capacity()];
+            kind = new int[state.capacity()];
         }
     }
 
@@ -454,7 +448,7 @@ final class Sensing {
         int pair = events.find(lower, higher);
         records.stay(pair == ContactEvents.NONE ? 0 : 1);
         boolean touches = TouchRule.touches(TouchRule.NONE, least);
-        if (!events.concerns(pair, lower, higher, touches, 0f, 0f, Float.MAX_VALUE)) {
+        if (!events.tracker.concerns(pair, lower, higher, touches, 0f, 0f, Float.MAX_VALUE)) {
             return;
         }
         float t = touches ? SensorRule.timeSensed(dx, dy, ux, uy, sum) : closest;
@@ -474,7 +468,6 @@ final class Sensing {
         records.add(pair, lower, higher, approach, 0f, nx, ny, px, py, 0f, vn, Float.MAX_VALUE);
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 4L * (start.length + path.length + reach.length + kind.length) + seen.length + strays.length;
     }

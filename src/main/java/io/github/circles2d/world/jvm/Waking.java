@@ -118,7 +118,6 @@ final class Waking implements WakingByBodies.Circles {
     }
 
     // ---- before the grid
-    // -------------------------------------------------------------------------------------------------
 
     /** Lets circles rest that have fallen asleep. */
     void settle(StepConstants constants, TerrainStep terrain, PieceSearch pieces) {
@@ -155,7 +154,6 @@ final class Waking implements WakingByBodies.Circles {
     }
 
     // ---- who wakes
-    // -------------------------------------------------------------------------------------------------------
 
     /** Wakes circles; returns whether there are any. */
     boolean wake(
@@ -225,13 +223,10 @@ final class Waking implements WakingByBodies.Circles {
         if (looked.length < state.slotOf.length) {
             int ids = state.slotOf.length;
             sums.ensure(ids);
-            float[] newSpeed = new float[ids];
-            float[] newNext = new float[ids];
-            int[] newWokenIn = new int[ids];
+            speed = new float[ids];
+            next = new float[ids];
+            wokenIn = new int[ids];
             looked = new int[ids];
-            next = newNext;
-            wokenIn = newWokenIn;
-            speed = newSpeed;
             step = 0;
         }
         if (++step < 0) {
@@ -519,7 +514,6 @@ final class Waking implements WakingByBodies.Circles {
     }
 
     // ---- one that sleeps
-    // -------------------------------------------------------------------------------------------------
 
     /** Adds what presses a circle besides those that are awake: others that do not move, walls and pieces. */
     private void sumUp(int id) {
@@ -639,7 +633,6 @@ final class Waking implements WakingByBodies.Circles {
     }
 
     // ---- rings
-    // ----------------------------------------------------------------------------------------------------------
 
     private void addWoken(int id) {
         if (wokenCount == woken.length) {

@@ -17,8 +17,6 @@ public final class Explosion {
     private float impulseX;
     private float impulseY;
 
-    public Explosion() {}
-
     /** Impulses are whole up to a distance within of a circle's edge, and fall to 0 over beyond. */
     public void set(float px, float py, float within, float strength, float beyond, Bounds bounds) {
         Limits.within("x of the explosion", px, -Limits.COORDINATE, Limits.COORDINATE);

@@ -128,8 +128,6 @@ public final class GridLevels {
     public float minY;
     public float rmax;
 
-    public GridLevels() {}
-
     /** Counts are by size class. */
     public void layOut(Bounds bounds, float greatestRadius, int[] counts, boolean someStatic) {
         this.bounds = bounds;
@@ -478,5 +476,36 @@ public final class GridLevels {
 
     public int rowStart(int level, int row) {
         return first[level] + (row << columnsLog[level]);
+    }
+
+    /** Of an axis without walls. A cell of an open axis has a whole number of units, powers of two, so it is exact however far out. */
+    private static final class RingCells {
+        private static final int LEAST_UNITS_LOG = 10;
+
+        private static final float MOST_UNITS = 0x1p62f;
+
+        static float unitsPerLength(float edge) {
+            return Math.scalb(1f, LEAST_UNITS_LOG - Math.getExponent(edge));
+        }
+
+        static int unitsOfCell(float edge) {
+            return (int) (edge * unitsPerLength(edge)) + 2;
+        }
+
+        /** Scales are units per length, or cells if the axis wraps. */
+        static long cell(AxisEdge edge, float x, float min, float scale, int units) {
+            return edge == AxisEdge.OPEN
+                    ? Math.floorDiv((long) CircleMath.clamp(x * scale, -MOST_UNITS, MOST_UNITS), (long) units)
+                    : (long) Math.floor(CircleMath.clamp((x - min) * scale, -Cells.MOST, Cells.MOST));
+        }
+
+        static int onRing(long cell, int side) {
+            return (int) Math.floorMod(cell, (long) side);
+        }
+
+        static int sheet(long cell, int side, int sheets) {
+            long sheet = Math.floorDiv(cell, (long) side);
+            return (int) (sheets == GridLevels.ENDLESS ? sheet : Math.floorMod(sheet, (long) sheets));
+        }
     }
 }

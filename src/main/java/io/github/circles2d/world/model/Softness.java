@@ -11,8 +11,6 @@ public final class Softness {
     /** Share of the accumulated impulse that goes. */
     public float impulseScale;
 
-    Softness() {}
-
     /** Angular frequency times h; twice the damping ratio. */
     void set(float omega, float damping, float inverseH) {
         biasRate = (omega / (damping + omega)) * inverseH;

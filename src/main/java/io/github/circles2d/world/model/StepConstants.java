@@ -91,8 +91,6 @@ public final class StepConstants {
     /** Whether circles fall asleep and wake. */
     public boolean sleeping;
 
-    public StepConstants() {}
-
     /** In the first step previousDt has no meaning. */
     public void set(
             float dt,

@@ -68,4 +68,18 @@ public final class SurfaceSettings {
     public boolean any() {
         return differs(NONE);
     }
+
+    /**
+     * The sign of the belt of circles and pieces of a kind. Callers give the speed to the right of the surface's normal, so that a floor carries to
+     * greater x. The engine, its snapshots and its logs have that of kinds anticlockwise, as angular velocities, and that of walls towards greater
+     * coordinates. This and {@link #beltOfWall} are their own inverses, and have no -0, since bits are compared.
+     */
+    public static float beltOfKind(float speed) {
+        return 0f - Limits.beltSpeed(speed);
+    }
+
+    /** The same of a wall, by {@link WallMotion#of}: the right of the normal of the left and of the upper one is towards lesser coordinates. */
+    public static float beltOfWall(int wall, float speed) {
+        return wall == 0 || wall == 3 ? 0f - Limits.beltSpeed(speed) : Limits.beltSpeed(speed) + 0f;
+    }
 }

@@ -18,8 +18,6 @@ public final class WallMotion {
     private boolean moves;
     private int subSteps;
 
-    WallMotion() {}
-
     /** Of axis 0 or 1 and a {@link Walls#wallSide}. */
     public static int of(int axis, float side) {
         return 2 * axis + (side > 0f ? 0 : 1);

@@ -2,6 +2,7 @@ package io.github.circles2d.world.queries;
 
 import io.github.circles2d.world.model.Bounds;
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * The searches among things in a tree of boxes, by the shape of the query: pieces of terrain, or bodies. Where an axis wraps, each thing has an
@@ -96,10 +97,9 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     }
 
     // ---- overlaps
-    // ----------------------------------------------------------------------------------------------------
 
     @Override
-    public int all(QueryShape what, float[] query, IdFilter filter) {
+    public int all(QueryShape what, float[] query, IntPredicate filter) {
         switch (what) {
             case DISC -> disc(query[0], query[1], query[2]);
             case BOX -> box(query[0], query[1], query[2], query[3]);
@@ -131,7 +131,7 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
         maxY = above;
     }
 
-    private int overlap(IdFilter filter) {
+    private int overlap(IntPredicate filter) {
         overlaps.clear();
         double x = Math.max(Math.abs(minX), Math.abs(maxX));
         double margin = (span + Math.max(x, Math.max(Math.abs(minY), Math.abs(maxY)))) * MARGIN;
@@ -145,7 +145,7 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
                 int at = BOX * i;
                 if (boxes[at] <= right && boxes[at + 1] <= above && boxes[at + 2] >= left && boxes[at + 3] >= below) {
                     int thing = links[2 * i + 1];
-                    if (thing >= 0 && isFirstOverlap(thing, image) && (filter == null || filter.admits(thing))) {
+                    if (thing >= 0 && isFirstOverlap(thing, image) && (filter == null || filter.test(thing))) {
                         overlaps.add(thing);
                     }
                     i++;
@@ -179,7 +179,6 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     }
 
     // ---- paths
-    // -------------------------------------------------------------------------------------------------------
 
     /** How far a path goes until it is half a period beyond the bounds. */
     private double most() {
@@ -189,7 +188,7 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     }
 
     @Override
-    void search(int most, IdFilter filter) {
+    void search(int most, IntPredicate filter) {
         found.clear();
         double way = most();
         double far = Math.max(Math.abs(startX), Math.abs(startY)) + reach;
@@ -213,10 +212,10 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
         }
     }
 
-    private void meet(int thing, int image, double way, int most, IdFilter filter) {
+    private void meet(int thing, int image, double way, int most, IntPredicate filter) {
         take(thing, image);
         double d = shape.castDistance(startX, startY, reach, unitX, unitY, way);
-        if (d != CircleTests.NONE && !(leavesStart && d == 0) && (filter == null || filter.admits(thing))) {
+        if (d != CircleTests.NONE && !(leavesStart && d == 0) && (filter == null || filter.test(thing))) {
             found.offer(d, thing, image, most);
         }
     }
@@ -244,10 +243,8 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
 
     private void push(int base, int i, double distance) {
         if (waiting == node.length) {
-            double[] newNodeDistance = Arrays.copyOf(nodeDistance, Capacity.atLeast(waiting + 1, waiting));
-            int[] newNode = Arrays.copyOf(node, newNodeDistance.length);
-            nodeDistance = newNodeDistance;
-            node = newNode;
+            nodeDistance = Arrays.copyOf(nodeDistance, Capacity.atLeast(waiting + 1, waiting));
+            node = Arrays.copyOf(node, nodeDistance.length);
         }
         int k = waiting++;
         while (k > base && nodeDistance[k - 1] < distance) {
@@ -260,7 +257,7 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     }
 
     /** Whether a ray meets a thing that it does not begin at. */
-    public boolean isBlocked(float x, float y, float dx, float dy, IdFilter filter) {
+    public boolean isBlocked(float x, float y, float dx, float dy, IntPredicate filter) {
         aim(x, y, 0, dx, dy);
         leavesStart = true;
         boolean isBlocked = first(filter);
@@ -279,10 +276,9 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     }
 
     // ---- the nearest
-    // -------------------------------------------------------------------------------------------------
 
     @Override
-    public int nearest(float x, float y, float within, int most, IdFilter filter) {
+    public int nearest(float x, float y, float within, int most, IntPredicate filter) {
         found.clear();
         startX = x;
         startY = y;
@@ -299,7 +295,7 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
                 int thing = links[2 * i + 1];
                 if (thing < 0) {
                     pushNear(i + 1, links[2 * i], image, margin, limit);
-                } else if (isNearestImage(thing, image) && (filter == null || filter.admits(thing))) {
+                } else if (isNearestImage(thing, image) && (filter == null || filter.test(thing))) {
                     take(thing, image);
                     double d = shape.distance(startX, startY);
                     if (d <= within) {

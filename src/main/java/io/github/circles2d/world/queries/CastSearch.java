@@ -1,5 +1,7 @@
 package io.github.circles2d.world.queries;
 
+import java.util.function.IntPredicate;
+
 /** Finds the circles that a moving disc meets. */
 public final class CastSearch extends PathSearch {
     // a hit: how far the disc has moved; where its centre is then; the unit vector from the circle's centre to there
@@ -24,7 +26,7 @@ public final class CastSearch extends PathSearch {
     }
 
     @Override
-    void search(int most, IdFilter filter) {
+    void search(int most, IntPredicate filter) {
         found.clear();
         if (tree.size == 0) {
             return;
@@ -45,12 +47,12 @@ public final class CastSearch extends PathSearch {
         }
     }
 
-    private void look(int box, int most, IdFilter filter) {
+    private void look(int box, int most, IntPredicate filter) {
         int end = Math.min(CircleTree.CIRCLES_A_BOX * (box + 1), tree.size);
         for (int k = CircleTree.CIRCLES_A_BOX * box; k < end; k++) {
             double d = CircleTests.castDistance(
                     startX, startY, reach, unitX, unitY, length, tree.x[k], tree.y[k], tree.radius[k]);
-            if (d != CircleTests.NONE && (filter == null || filter.admits(tree.id[k]))) {
+            if (d != CircleTests.NONE && (filter == null || filter.test(tree.id[k]))) {
                 found.offer(d, tree.id[k], k, most);
             }
         }

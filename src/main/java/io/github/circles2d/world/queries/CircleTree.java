@@ -62,9 +62,6 @@ public final class CircleTree {
     /** The level that has one box. */
     int top;
 
-    /** No circles. */
-    public CircleTree() {}
-
     /** Ids ascend. The arrays are not kept. */
     public void build(float[] circles, int[] ids, int n) {
         halfX = Double.POSITIVE_INFINITY;
@@ -73,7 +70,7 @@ public final class CircleTree {
     }
 
     /** Circles and their images; ids are less than the limit. */
-    public void build(Images images, int limit, Bounds bounds) {
+    void build(TreeSearch.Images images, int limit, Bounds bounds) {
         halfX = 0.5 * bounds.periodX();
         halfY = 0.5 * bounds.periodY();
         build(images.circles(), images.ids(), images.count(), limit);
@@ -105,7 +102,7 @@ public final class CircleTree {
         size = n;
     }
 
-    /** Lays the levels out and makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Lays the levels out and makes room. The array that is compared grows last: a growth that fails is tried again. */
     private void makeRoom(int n) {
         int level = 0;
         int count = (n + CIRCLES_A_BOX - 1) / CIRCLES_A_BOX;
@@ -126,14 +123,10 @@ public final class CircleTree {
         }
         if (id.length < n) {
             int c = Capacity.atLeast(n, id.length);
-            float[] newX = new float[c];
-            float[] newY = new float[c];
-            float[] newRadius = new float[c];
-            int[] newId = new int[c];
-            x = newX;
-            y = newY;
-            radius = newRadius;
-            id = newId;
+            x = new float[c];
+            y = new float[c];
+            radius = new float[c];
+            id = new int[c];
         }
     }
 

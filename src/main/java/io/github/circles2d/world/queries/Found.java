@@ -109,10 +109,8 @@ final class Found {
     private void ensure(int n) {
         if (item.length < n) {
             int c = Capacity.atLeast(n, item.length);
-            double[] newDistance = Arrays.copyOf(distance, c);
-            long[] newItem = Arrays.copyOf(item, c);
-            distance = newDistance;
-            item = newItem;
+            distance = Arrays.copyOf(distance, c);
+            item = Arrays.copyOf(item, c);
         }
     }
 }

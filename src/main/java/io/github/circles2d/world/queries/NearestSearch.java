@@ -1,5 +1,7 @@
 package io.github.circles2d.world.queries;
 
+import java.util.function.IntPredicate;
+
 /** Finds the circles whose edges are nearest to a point. */
 public final class NearestSearch {
     /** More than the rounding of a distance, by its share of it. */
@@ -23,7 +25,7 @@ public final class NearestSearch {
      * Finds at most so many circles that a disc of the radius within, which may be infinite, overlaps or touches, by the distance from
      * the point to their edges (negative inside a circle), then by id, and returns how many. A null filter is none.
      */
-    public int find(float x, float y, float within, int most, IdFilter filter) {
+    public int find(float x, float y, float within, int most, IntPredicate filter) {
         found.clear();
         if (tree.size == 0) {
             return 0;
@@ -46,12 +48,12 @@ public final class NearestSearch {
         return found.count();
     }
 
-    private void look(int box, float x, float y, float within, int most, IdFilter filter) {
+    private void look(int box, float x, float y, float within, int most, IntPredicate filter) {
         int end = Math.min(CircleTree.CIRCLES_A_BOX * (box + 1), tree.size);
         for (int k = CircleTree.CIRCLES_A_BOX * box; k < end; k++) {
             if (CircleTests.overlapsDisc(x, y, within, tree.x[k], tree.y[k], tree.radius[k])
                     && tree.isNearest(k, x, y)
-                    && (filter == null || filter.admits(tree.id[k]))) {
+                    && (filter == null || filter.test(tree.id[k]))) {
                 double d = CircleTests.edgeDistance(x, y, tree.x[k], tree.y[k], tree.radius[k]);
                 found.offer(d, tree.id[k], k, most);
             }

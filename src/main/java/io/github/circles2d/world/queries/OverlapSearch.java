@@ -1,6 +1,7 @@
 package io.github.circles2d.world.queries;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /** Finds the circles that a disc or a box overlaps or touches, and the circle at a point. */
 public final class OverlapSearch {
@@ -18,7 +19,7 @@ public final class OverlapSearch {
     }
 
     /** Finds what a disc overlaps or touches, and returns how many. Numbers are finite. A null filter is none. */
-    public int disc(float x, float y, float radius, IdFilter filter) {
+    public int disc(float x, float y, float radius, IntPredicate filter) {
         found.clear();
         int boxes = nearDisc(x, y, radius);
         for (int b = 0; b < boxes; b++) {
@@ -35,7 +36,7 @@ public final class OverlapSearch {
     }
 
     /** The same of a box. */
-    public int box(float minX, float minY, float maxX, float maxY, IdFilter filter) {
+    public int box(float minX, float minY, float maxX, float maxY, IntPredicate filter) {
         found.clear();
         int boxes = near(minX, minY, maxX, maxY);
         for (int b = 0; b < boxes; b++) {
@@ -59,7 +60,7 @@ public final class OverlapSearch {
     /**
      * The circle at a point, also on its edge; of several, the one whose centre is nearest, then of the lowest id. -1 if there is none.
      */
-    public int pick(float x, float y, IdFilter filter) {
+    public int pick(float x, float y, IntPredicate filter) {
         int boxes = nearDisc(x, y, 0);
         int best = -1;
         double least = Double.POSITIVE_INFINITY;
@@ -71,7 +72,7 @@ public final class OverlapSearch {
                 if (better
                         && CircleTests.overlapsDisc(x, y, 0, tree.x[k], tree.y[k], tree.radius[k])
                         && tree.isNearest(k, x, y)
-                        && (filter == null || filter.admits(tree.id[k]))) {
+                        && (filter == null || filter.test(tree.id[k]))) {
                     best = tree.id[k];
                     least = square;
                 }
@@ -85,8 +86,8 @@ public final class OverlapSearch {
         return CircleTree.CIRCLES_A_BOX * nearDisc(x, y, radius);
     }
 
-    private void addIfAdmitted(int k, IdFilter filter) {
-        if (filter == null || filter.admits(tree.id[k])) {
+    private void addIfAdmitted(int k, IntPredicate filter) {
+        if (filter == null || filter.test(tree.id[k])) {
             found.add(tree.id[k]);
         }
     }

@@ -1,5 +1,7 @@
 package io.github.circles2d.world.queries;
 
+import java.util.function.IntPredicate;
+
 /** A search along the path of a disc. A ray is the path of a disc of radius 0. */
 abstract class PathSearch {
     double startX;
@@ -31,23 +33,23 @@ abstract class PathSearch {
     }
 
     /** Finds what the path meets first, so many, in no order. */
-    abstract void search(int most, IdFilter filter);
+    abstract void search(int most, IntPredicate filter);
 
     /** Finds what the disc touches first, at the same distance what has the lowest id, as number 0. */
-    public boolean first(IdFilter filter) {
+    public boolean first(IntPredicate filter) {
         search(1, filter);
         return found.count() > 0;
     }
 
     /** Finds all that the disc touches, by the distance that it has moved by then, then by id, and returns how many. */
-    public int all(IdFilter filter) {
+    public int all(IntPredicate filter) {
         search(Integer.MAX_VALUE, filter);
         found.sort();
         return found.count();
     }
 
     /** The first of a path, or -1; hits takes the hit, or the end of the path, or is null. */
-    public final int first(QueryShape shape, float[] query, IdFilter filter, float[] hits, int to) {
+    public final int first(QueryShape shape, float[] query, IntPredicate filter, float[] hits, int to) {
         aim(shape, query, 0);
         boolean hit = first(filter);
         if (hits != null && hit) {

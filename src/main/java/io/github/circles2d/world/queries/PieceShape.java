@@ -269,7 +269,6 @@ final class PieceShape extends ThingShape {
     }
 
     // ---- casts
-    // -------------------------------------------------------------------------------------------------------
 
     /** Of one that is solid on one side from there. */
     @Override
@@ -358,7 +357,6 @@ final class PieceShape extends ThingShape {
     }
 
     // ---- hits
-    // --------------------------------------------------------------------------------------------------------
 
     /**
      * Finds the unit vector from the piece to a point that a disc of radius reach has come to along (ux, uy). Of a ray it is the normal of

@@ -1,6 +1,8 @@
 package io.github.circles2d.world.queries;
 
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleRow;
+import java.util.function.IntPredicate;
 
 /** The searches in a tree of circles. */
 public final class TreeSearch implements Search {
@@ -9,9 +11,6 @@ public final class TreeSearch implements Search {
     private final OverlapSearch overlaps = new OverlapSearch(tree);
     private final NearestSearch nearest = new NearestSearch(tree);
     private final CastSearch casts = new CastSearch(tree);
-
-    /** No circles. */
-    public TreeSearch() {}
 
     /** As {@link CircleTree#build}; if the arena wraps, circles have images beyond it. */
     public void build(float[] circles, int[] ids, int n, Bounds bounds) {
@@ -24,7 +23,7 @@ public final class TreeSearch implements Search {
     }
 
     @Override
-    public int all(QueryShape shape, float[] query, IdFilter filter) {
+    public int all(QueryShape shape, float[] query, IntPredicate filter) {
         return switch (shape) {
             case DISC -> overlaps.disc(query[0], query[1], query[2], filter);
             case BOX -> overlaps.box(query[0], query[1], query[2], query[3], filter);
@@ -47,14 +46,14 @@ public final class TreeSearch implements Search {
     }
 
     @Override
-    public int first(QueryShape shape, float[] query, IdFilter filter, float[] hits, int to) {
+    public int first(QueryShape shape, float[] query, IntPredicate filter, float[] hits, int to) {
         return shape == QueryShape.POINT
                 ? overlaps.pick(query[0], query[1], filter)
                 : casts.first(shape, query, filter, hits, to);
     }
 
     @Override
-    public int nearest(float x, float y, float within, int most, IdFilter filter) {
+    public int nearest(float x, float y, float within, int most, IntPredicate filter) {
         return nearest.find(x, y, within, most, filter);
     }
 
@@ -71,5 +70,63 @@ public final class TreeSearch implements Search {
     @Override
     public void writeNearest(int k, float[] to, int at) {
         throw new IllegalStateException("no query asks for hits of the nearest circles");
+    }
+
+    /**
+     * The circles of a world of which an axis wraps, and their images: each circle is also a period farther to either side, where that is
+     * no more than half a period beyond the bounds. So whatever is nearest to a place inside the bounds, the short way round, is there.
+     */
+    static final class Images {
+        private float[] circles = new float[0];
+        private int[] ids = new int[0];
+        private int count;
+
+        /** Takes rows of circles and their ids, and makes their images. */
+        public void make(float[] rows, int[] ofRows, int n, Bounds bounds) {
+            boolean x = bounds.periodX() < Float.POSITIVE_INFINITY;
+            boolean y = bounds.periodY() < Float.POSITIVE_INFINITY;
+            int most = Math.multiplyExact(n, (x ? 2 : 1) * (y ? 2 : 1));
+            if (ids.length < most) {
+                int c = Capacity.atLeast(most, ids.length);
+                circles = new float[Math.multiplyExact(CircleRow.STRIDE, c)];
+                ids = new int[c];
+            }
+            System.arraycopy(rows, 0, circles, 0, CircleRow.STRIDE * n);
+            System.arraycopy(ofRows, 0, ids, 0, n);
+            count = n;
+            if (x) {
+                add(CircleRow.X, bounds.periodX(), 0.5f * bounds.minX() + 0.5f * bounds.maxX());
+            }
+            if (y) {
+                add(CircleRow.Y, bounds.periodY(), 0.5f * bounds.minY() + 0.5f * bounds.maxY());
+            }
+        }
+
+        /** Adds an image of each that there is: to the right of those in the lower half, to the left of those in the upper. */
+        private void add(int coordinate, float period, float middle) {
+            int before = count;
+            for (int k = 0; k < before; k++) {
+                int from = CircleRow.of(k);
+                int to = CircleRow.of(count);
+                System.arraycopy(circles, from, circles, to, CircleRow.STRIDE);
+                circles[to + coordinate] += circles[from + coordinate] < middle ? period : -period;
+                ids[count++] = ids[k];
+            }
+        }
+
+        /** Rows of all. */
+        public float[] circles() {
+            return circles;
+        }
+
+        /** The id of each. */
+        public int[] ids() {
+            return ids;
+        }
+
+        /** Their number. */
+        public int count() {
+            return count;
+        }
     }
 }

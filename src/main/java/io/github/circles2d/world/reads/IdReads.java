@@ -16,12 +16,10 @@ public final class IdReads {
     /** Joints that have broken are not there. */
     private void look() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             if (ids == world.joints.table.ids) {
                 world.pending.settleJoints();
             }
-        } finally {
-            world.guard.leave();
         }
     }
 

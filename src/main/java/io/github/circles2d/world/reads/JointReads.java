@@ -35,10 +35,8 @@ public final class JointReads {
     /** The handle of the circle or body that is the first end of a joint, or the other one; 0 if there is none. */
     public long end(long handle, boolean other) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             return world.joints.departures.handle(find(handle), other ? RigidEnds.B : RigidEnds.A);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -50,15 +48,12 @@ public final class JointReads {
     /** What a joint does. */
     public JointForm form(long handle) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             return table.formOf(find(handle));
-        } finally {
-            world.guard.leave();
         }
     }
 
     // ---- where joints are
-    // --------------------------------------------------------------------------------------------
 
     public float anchorX(long handle) {
         return anchor(handle, false);
@@ -70,25 +65,21 @@ public final class JointReads {
 
     private float anchor(long handle, boolean y) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int joint = find(handle);
             world.joints.requireAnchor(joint);
             return y ? world.joints.anchors.y(joint, null) : world.joints.anchors.x(joint, null);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** How far its ends are apart now. */
     public float length(long handle) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int joint = find(handle);
             JointEnds ends = world.joints.ends.look(world.last.circles());
             ends.of(joint);
             return ends.length();
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -100,15 +91,13 @@ public final class JointReads {
     /** The same where circles and bodies of terrain are drawn; handles may be null. */
     public int readEnds(JointEnds.Drawn drawn, float[] to, long[] handles) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             Readings.requireRoom("ends", to, (long) ENDS * table.ids.size());
             if (handles != null) {
                 Readings.requireRoom("handles", handles, table.ids.size());
             }
             return world.joints.isThere() ? copyEnds(drawn, to, handles) : 0;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -142,7 +131,7 @@ public final class JointReads {
     /** The joint whose line is nearest to a point, of several the one of the lowest id; 0 if all are farther away than a distance. */
     public long pick(float x, float y, float most) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             Limits.within("x", x, -Limits.COORDINATE, Limits.COORDINATE);
             Limits.within("y", y, -Limits.COORDINATE, Limits.COORDINATE);
@@ -161,15 +150,13 @@ public final class JointReads {
                 }
             }
             return nearest < 0 ? 0 : table.ids.handle(nearest);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** The joints of a circle, in the order of ids, of which the array takes the first ones; returns how many there are. */
     public int ofCircle(long circle, long[] into) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             Limits.notNull("joints", into);
             int id = world.circle(circle);
@@ -186,15 +173,13 @@ public final class JointReads {
                 into[k] = table.ids.handle(found[k]);
             }
             return count;
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** The joints of a body that is pushed, likewise. */
     public int ofBody(long body, long[] into) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             Limits.notNull("joints", into);
             int id = world.rigid(body);
@@ -208,13 +193,10 @@ public final class JointReads {
                 }
             }
             return count;
-        } finally {
-            world.guard.leave();
         }
     }
 
     // ---- what they do
-    // ------------------------------------------------------------------------------------------------
 
     /** The force on the first circle in the last step. */
     public float forceX(long handle) {
@@ -237,15 +219,13 @@ public final class JointReads {
 
     private float load(long handle, int which) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int joint = find(handle);
             SavedJointStates states = world.last.joints();
             if (joint >= states.joints || states.serial[joint] != table.serial(joint)) {
                 return 0; // it is new
             }
             return load(states, joint, which, world.settings.lastStep());
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -25,7 +25,7 @@ public final class Loads {
     /** Two elements an id; living, with a bit an id, may be null. */
     public void readById(float[] loads, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             Readings.requireRoom("loads", Limits.notNull("loads", loads).length, (long) EACH * world.handles.end());
             Readings.requireRoom(living, world.handles.end());
             SavedState state = world.copies.saved();
@@ -43,8 +43,6 @@ public final class Loads {
             if (living != null) {
                 mask.copyTo(living);
             }
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -43,55 +43,47 @@ public final class Readings {
     /** Reads x, y, radius and mass of every circle, in the order of the ids. */
     public void read(float[] circles) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.size());
             world.last.readCircles(circles);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Reads x, y, radius and mass of every circle, in the order of the ids. */
     public void read(FloatBuffer circles) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.size());
             circles.put(world.last.circles(), 0, CircleRow.STRIDE * world.handles.size());
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** x, y, radius and mass; living, with a bit an id, may be null. */
     public void readById(float[] circles, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.end());
             requireRoom(living, world.handles.end());
             world.last.readCircles(circles);
             spread(circles, CircleRow.STRIDE, living);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Two elements an id; living as above. */
     public void readVelocitiesById(float[] velocities, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("velocities", velocities, 2L * world.handles.end());
             requireRoom(living, world.handles.end());
             world.last.readVelocities(velocities);
             spread(velocities, 2, living);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** An element an id, in radians; living as above. */
     public void readAnglesById(float[] to, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("angles", to, world.handles.end());
             requireRoom(living, world.handles.end());
             int[] units = world.last.angles();
@@ -99,27 +91,23 @@ public final class Readings {
                 to[k] = units == null ? 0f : Surface.radians(units[k]);
             }
             spread(to, 1, living);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Whether a circle does not sleep. */
     public boolean isAwake(long handle) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int id = world.circle(handle);
             world.pending.settle();
             return !world.pipeline.isAsleep(id);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Sets a bit an id, of circles that do not sleep. */
     public void readAwakeById(long[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("awake", to, IdMask.words(world.handles.end()));
             findAsleep();
             Arrays.fill(to, 0L);
@@ -127,8 +115,6 @@ public final class Readings {
                 boolean isAwake = world.handles.lives(id) && (asleep[id >> 6] & 1L << id) == 0;
                 to[id >> 6] |= isAwake ? 1L << id : 0L;
             }
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -155,7 +141,7 @@ public final class Readings {
     /** An element an id, in units of a turn's 2^-32; 0 where there is no circle. */
     public void readUnitsById(int[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("angles", to.length, world.handles.end());
             int[] units = world.last.angles();
             int k = 0;
@@ -163,15 +149,13 @@ public final class Readings {
                 boolean turns = units != null && id < world.handles.end() && world.handles.lives(id);
                 to[id] = turns ? units[k++] : 0;
             }
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** An element an id, in radians a second; living as above. */
     public void readAngularVelocitiesById(float[] to, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("angularVelocities", to, world.handles.end());
             requireRoom(living, world.handles.end());
             float[] velocities = world.last.angularVelocities();
@@ -179,15 +163,13 @@ public final class Readings {
                 to[k] = velocities == null ? 0f : velocities[k];
             }
             spread(to, 1, living);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Reads the angle of every circle, in the order of the ids, into memory of the world. */
     public FloatBuffer angles() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int[] units = world.last.angles();
             int circles = world.handles.size();
             if (angles.capacity() < circles) {
@@ -200,15 +182,13 @@ public final class Readings {
             }
             ((Buffer) viewOfAngles).clear().limit(circles);
             return viewOfAngles;
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Reads kinds by id, and -1 where there is no circle; living takes a bit for each id, and may be null. */
     public void readKindsById(int[] kinds, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("kinds", Limits.notNull("kinds", kinds).length, world.handles.end());
             requireRoom(living, world.handles.end());
             for (int id = 0; id < kinds.length; id++) {
@@ -216,38 +196,32 @@ public final class Readings {
                 kinds[id] = lives ? world.handles.fields().getInt(CircleField.KIND, id) : -1;
             }
             markLiving(living);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Reads radii by id, and NaN where there is no circle; living takes a bit for each id, and may be null. */
     public void readRadiiById(float[] radii, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("radii", radii, world.handles.end());
             requireRoom(living, world.handles.end());
             for (int id = 0; id < radii.length; id++) {
                 radii[id] = id < world.handles.end() && world.handles.lives(id) ? world.handles.radius(id) : Float.NaN;
             }
             markLiving(living);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Reads tags by id, and 0 where there is no circle; living takes a bit for each id, and may be null. */
     public void readTagsById(long[] tags, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("tags", tags, world.handles.end());
             requireRoom(living, world.handles.end());
             for (int id = 0; id < tags.length; id++) {
                 tags[id] = id < world.handles.end() ? world.handles.fields().get(CircleField.TAG, id) : 0;
             }
             markLiving(living);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -271,23 +245,19 @@ public final class Readings {
     /** Reads x and y of every circle, in the order of the ids, into memory of the pipeline. */
     public FloatBuffer positions() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             return positions(false);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Reads x and y by id into memory of the pipeline; living takes a bit for each id, and may be null. */
     public FloatBuffer positionsById(long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom(living, world.handles.end());
             FloatBuffer positions = positions(true);
             markLiving(living);
             return positions;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -302,7 +272,7 @@ public final class Readings {
     /** Asks for x and y of every circle as they are now, without waiting for them. */
     public void requestPositions() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.apply();
             world.handles.makeRoomForSurvivors();
             world.pipeline.makeRoomForPositions(world.handles);
@@ -314,8 +284,6 @@ public final class Readings {
             world.clock.end();
             requests++;
             positionsRequested = true;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -328,25 +296,21 @@ public final class Readings {
     /** Gives the positions that were requested last. */
     public FloatBuffer takePositions() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRequest();
             return take(null);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Gives the positions that were requested last, by id; living takes a bit for each id, and may be null. */
     public FloatBuffer takePositionsById(long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRequest();
             requireRoom(living, world.handles.survivors().end());
             FloatBuffer positions = take(world.handles.survivors());
             copy(world.handles.survivors(), living);
             return positions;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -374,25 +338,21 @@ public final class Readings {
      */
     public void markGone(FloatBuffer values, int each, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom(living, Math.max(world.handles.survivors().end(), world.handles.end()));
             world.handles.survivors().markGaps(values, each);
             copy(world.handles.survivors(), living);
             for (int id = newFrom(0); id >= 0 && living != null; id = newFrom(id + 1)) {
                 living[id >>> 6] |= 1L << id;
             }
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** The least id, from one on, of a circle that came after the last request for positions; -1 if there is none. */
     public int nextNew(int from) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             return newFrom(from);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -408,29 +368,25 @@ public final class Readings {
     /** Reads the velocity of every circle, in the order of the ids. */
     public void readVelocities(float[] velocities) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("velocities", velocities, 2L * world.handles.size());
             world.last.readVelocities(velocities);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Reads the velocity of every circle, in the order of the ids. */
     public void readVelocities(FloatBuffer velocities) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("velocities", velocities, 2L * world.handles.size());
             velocities.put(world.last.velocities(), 0, 2 * world.handles.size());
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Reads the handle of every circle, in the order of the ids. */
     public void readHandles(long[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("handles", to, world.handles.size());
             int k = 0;
             for (int id = 0; id < world.handles.end(); id++) {
@@ -438,34 +394,28 @@ public final class Readings {
                     to[k++] = world.handles.handle(id);
                 }
             }
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Reads the handle of every circle, in the order of the ids. */
     public void readHandles(LongBuffer to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireRoom("handles", to, world.handles.size());
             for (int id = 0; id < world.handles.end(); id++) {
                 if (world.handles.lives(id)) {
                     to.put(world.handles.handle(id));
                 }
             }
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** {@link CircleRow#X}, {@code Y}, {@code RADIUS} or {@code MASS} of one circle, from the last bulk read if it still holds. */
     public float circle(long handle, int field) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int place = world.handles.place(world.circle(handle));
             return world.last.circles()[CircleRow.STRIDE * place + field];
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -481,35 +431,29 @@ public final class Readings {
 
     private float velocity(long handle, int component) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int place = world.handles.place(world.circle(handle));
             return world.last.velocities()[2 * place + component];
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** The angle of one circle in radians, from the last bulk read if it still holds. */
     public float angle(long handle) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int id = world.circle(handle);
             int[] units = world.last.angles();
             return units == null ? 0 : Surface.radians(units[world.handles.place(id)]);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** The angular velocity of one circle, likewise. */
     public float angularVelocity(long handle) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int id = world.circle(handle);
             float[] velocities = world.last.angularVelocities();
             return velocities == null ? 0 : velocities[world.handles.place(id)];
-        } finally {
-            world.guard.leave();
         }
     }
 

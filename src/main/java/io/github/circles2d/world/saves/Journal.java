@@ -38,7 +38,7 @@ public final class Journal {
     /** Begins a log with a snapshot of now, and a hash every so many steps, until {@link #stop}. Does not close the stream. */
     public Progress start(OutputStream out, int every) throws IOException {
         world.guard.enter();
-        try {
+        try (world.guard) {
             if (world.log.writer() != null) {
                 throw new IllegalStateException("this World is being recorded already");
             }
@@ -48,15 +48,13 @@ public final class Journal {
             Progress progress = new Progress(writer);
             world.log.begin(writer, every); // last: a call that finds no room has begun no log
             return progress;
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Ends the log, with a last hash if the state is there. Also if the world has been closed. */
     public void stop() throws IOException {
         world.guard.takeTurn();
-        try {
+        try (world.guard) {
             LogWriter last = world.log.writer();
             if (last != null) {
                 try {
@@ -69,8 +67,6 @@ public final class Journal {
                     last.close();
                 }
             }
-        } finally {
-            world.guard.leave();
         }
     }
 

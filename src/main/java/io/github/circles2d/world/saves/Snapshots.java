@@ -22,68 +22,59 @@ public final class Snapshots {
     /** The number of bytes that {@link #write} would write now. */
     public int bytes() {
         world.guard.enter();
-        try {
-            return SnapshotCodec.bytes(world.copies.saved());
-        } finally {
-            world.guard.leave();
+        try (world.guard) {
+            return world.copies.snapshot().limit();
         }
     }
 
     /** Writes all that decides what comes after it. */
     public void write(ByteBuffer to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             if (Limits.notNull("to", to).isReadOnly()) {
                 throw new IllegalArgumentException("the buffer is read-only");
             }
-            SavedState saved = world.copies.saved();
-            int bytes = SnapshotCodec.bytes(saved);
-            if (to.remaining() < bytes) {
-                throw new IllegalArgumentException(
-                        "the buffer has room for " + to.remaining() + " bytes, but the snapshot has " + bytes);
+            ByteBuffer snapshot = world.copies.snapshot();
+            if (to.remaining() < snapshot.limit()) {
+                throw new IllegalArgumentException("the buffer has room for " + to.remaining()
+                        + " bytes, but the snapshot has " + snapshot.limit());
             }
-            SnapshotCodec.write(saved, to);
-        } finally {
-            world.guard.leave();
+            SnapshotCodec.addCheck(snapshot);
+            to.put(snapshot.array(), 0, snapshot.limit());
         }
     }
 
     /** Takes over what a snapshot says, in place of all that is. */
     public void restore(ByteBuffer from) {
         world.guard.enterToReplace();
-        try {
+        try (world.guard) {
             Limits.notNull("from", from);
             SavedState saved = world.copies.other();
             int length = SnapshotCodec.read(from, saved);
             makeRoom(saved);
             ((Buffer) from).position(from.position() + length);
             load(saved);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Saves the state as a frame. */
     public void save(SnapshotRing ring, int frame) {
         world.guard.enterToReplace();
-        try {
-            ring.save(frame, world.copies.saved());
-        } finally {
-            world.guard.leave();
+        try (world.guard) {
+            ByteBuffer snapshot = world.copies.snapshot();
+            ring.save(frame, snapshot, world.copies.saved().parameters());
         }
     }
 
     /** Takes over a frame, in place of all that is. */
     public void restore(SnapshotRing ring, int frame) {
         world.guard.enterToReplace();
-        try {
+        try (world.guard) {
             int place = ring.find(frame);
             SavedState saved = world.copies.other();
             ring.load(place, saved);
             makeRoom(saved);
             load(saved);
-        } finally {
-            world.guard.leave();
         }
     }
 

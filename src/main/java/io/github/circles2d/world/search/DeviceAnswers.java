@@ -7,7 +7,7 @@ import io.github.circles2d.world.queries.RemoteSearch;
 import io.github.circles2d.world.shared.WorldParts;
 
 /**
- * Answers queries on the device that has the circles, where that is likely to be the faster way: to read a million circles and to build a
+ * QueryBatch.Answers queries on the device that has the circles, where that is likely to be the faster way: to read a million circles and to build a
  * tree of them takes a host some 50 ms, and a call of the device a tenth of one.
  *
  * <p>The rule, on a GPU: a batch of at least {@link #LEAST_BATCH} queries among at least {@link #LEAST_CIRCLES} circles; or, among at
@@ -16,7 +16,7 @@ import io.github.circles2d.world.shared.WorldParts;
  * pays twice at most. On an NVIDIA H200 10,000 rays among 100,000 circles take 1.0 ms behind a step and 0.7 again, while its host takes
  * 11 to 14 ms for as many among 1,250 to 15,000. The other numbers are estimates, by what a transfer, a launch and a tree cost.
  */
-final class DeviceAnswers implements Answers {
+final class DeviceAnswers implements QueryBatch.Answers {
     private static final int LEAST_CIRCLES = 1000;
     private static final int LEAST_BATCH = 512;
     private static final int MANY_CIRCLES = 20_000;
@@ -54,7 +54,7 @@ final class DeviceAnswers implements Answers {
         this.world = world;
     }
 
-    /** Answers on any device, whether or not it is the faster way. */
+    /** QueryBatch.Answers on any device, whether or not it is the faster way. */
     void always() {
         always = true;
     }

@@ -85,7 +85,6 @@ final class QueryBatch {
     }
 
     // ---- arguments
-    // ---------------------------------------------------------------------------------------------------
 
     /** Takes the arrays of queries that find all. */
     void takeAll(long[] to, float[] hitsTo) {
@@ -123,7 +122,6 @@ final class QueryBatch {
     }
 
     // ---- queries
-    // -----------------------------------------------------------------------------------------------------
 
     /** Where the numbers of a query begin. */
     int at(int q) {
@@ -193,5 +191,17 @@ final class QueryBatch {
         return isBatch && query != NONE && e instanceof IllegalArgumentException
                 ? new IllegalArgumentException("query " + query + ": " + e.getMessage(), e)
                 : e;
+    }
+
+    /** What answers the queries of a batch, and returns how much they find. */
+    interface Answers {
+        /** Queries that find all. */
+        int all(QueryBatch batch);
+
+        /** Queries that find one each or none; how many find one. A single query's handle is in element 0. */
+        int one(QueryBatch batch);
+
+        /** Queries for the nearest. */
+        int nearest(QueryBatch batch);
     }
 }

@@ -3,12 +3,12 @@ package io.github.circles2d.world.search;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.PairTable;
-import io.github.circles2d.world.queries.IdFilter;
 import io.github.circles2d.world.queries.RemoteSearch;
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /** Admits things whose kind's category has a bit of a mask, by kinds and categories as of now, and leaves out one of them. */
-public final class QueryFilter implements IdFilter {
+public final class QueryFilter implements IntPredicate {
     private final KindTable kinds;
     private final View view;
 
@@ -41,7 +41,7 @@ public final class QueryFilter implements IdFilter {
     }
 
     @Override
-    public boolean admits(int id) {
+    public boolean test(int id) {
         return admitsKind(view.kind(id)) && id != view.find(leftOut);
     }
 

@@ -1,8 +1,13 @@
 package io.github.circles2d.world.search;
 
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
+import io.github.circles2d.world.queries.Search;
+import io.github.circles2d.world.queries.TreeSearch;
+import io.github.circles2d.world.shared.LastReading;
 import io.github.circles2d.world.shared.WorldParts;
 
 /**
@@ -75,7 +80,7 @@ public final class Searches {
         return QueryFilter.without(world.kinds, view, before, body);
     }
 
-    /** Answers on any device from now on, whether or not it is the faster way: for tests. */
+    /** QueryBatch.Answers on any device from now on, whether or not it is the faster way: for tests. */
     public void alwaysOnDevice() {
         device.always();
     }
@@ -191,11 +196,128 @@ public final class Searches {
         return count == DeviceAnswers.LEFT ? answer(wanted, host) : count;
     }
 
-    private int answer(Wanted wanted, Answers by) {
+    private int answer(Wanted wanted, QueryBatch.Answers by) {
         return switch (wanted) {
             case ALL -> by.all(batch);
             case ONE -> by.one(batch);
             case NEAREST -> by.nearest(batch);
         };
+    }
+
+    /** QueryBatch.Answers queries by a tree on the host. */
+    private static final class HostAnswers implements QueryBatch.Answers {
+        private final View view;
+        private Search search;
+
+        HostAnswers(View view) {
+            this.view = view;
+        }
+
+        /** Goes on to a query. What there is now is shown once the first one has been checked: a call that is refused waits for nothing. */
+        private void take(QueryBatch batch, int q) {
+            batch.take(q);
+            if (q == 0) {
+                search = view.show();
+            }
+        }
+
+        @Override
+        public int all(QueryBatch batch) {
+            int room = batch.room();
+            int total = 0;
+            for (int q = 0; q < batch.n; q++) {
+                take(batch, q);
+                int count = search.all(batch.shape, batch.numbers, batch.filter);
+                int end = batch.end(q, total, count);
+                for (int k = total; k < Math.min(end, room); k++) {
+                    batch.handles[k] = view.handle(search.id(batch.shape, k - total));
+                    if (batch.hits != null) {
+                        search.writeHit(k - total, batch.hits, CastSearch.HIT_STRIDE * k);
+                    }
+                }
+                total = end;
+            }
+            return total;
+        }
+
+        @Override
+        public int one(QueryBatch batch) {
+            int count = 0;
+            for (int q = 0; q < batch.n; q++) {
+                take(batch, q);
+                int id = search.first(batch.shape, batch.numbers, batch.filter, batch.hits, CastSearch.HIT_STRIDE * q);
+                batch.handles[q] = id < 0 ? 0 : view.handle(id);
+                count += id < 0 ? 0 : 1;
+            }
+            return count;
+        }
+
+        @Override
+        public int nearest(QueryBatch batch) {
+            int total = 0;
+            for (int q = 0; q < batch.n; q++) {
+                take(batch, q);
+                int count = search.nearest(batch.numbers[0], batch.numbers[1], batch.within, batch.most, batch.filter);
+                for (int k = 0; k < count; k++) {
+                    batch.takeNearest(q, k, view.handle(search.nearestId(k)), search.nearestDistance(k));
+                    if (batch.hits != null) {
+                        search.writeNearest(k, batch.hits, CastSearch.HIT_STRIDE * (batch.most * q + k));
+                    }
+                }
+                batch.fillUp(q, count);
+                total += count;
+            }
+            return total;
+        }
+    }
+
+    /** The circles. The first look after a change reads all of them and builds a tree. */
+    private static final class CircleView implements View {
+        private final WorldParts world;
+        private final TreeSearch search = new TreeSearch();
+        private int[] ids = new int[0];
+
+        /** Which reading the tree shows, by {@link LastReading#number}; none at first. */
+        private long shown;
+
+        CircleView(WorldParts world) {
+            this.world = world;
+        }
+
+        @Override
+        public Search show() {
+            float[] circles = world.last.circles();
+            if (shown != world.last.number()) {
+                int n = world.handles.size();
+                if (ids.length < n) {
+                    ids = new int[Math.max(n, ids.length + (ids.length >> 1))];
+                }
+                int k = 0;
+                for (int id = 0; k < n; id++) {
+                    if (world.handles.lives(id)) {
+                        ids[k++] = id;
+                    }
+                }
+                shown = 0; // until there has been memory for them
+                search.build(circles, ids, n, world.settings.bounds());
+                shown = world.last.number();
+            }
+            return search;
+        }
+
+        @Override
+        public long handle(int id) {
+            return world.handles.handle(id);
+        }
+
+        @Override
+        public int find(long handle) {
+            return world.handles.find(handle);
+        }
+
+        @Override
+        public int kind(int id) {
+            return world.handles.fields().getInt(CircleField.KIND, id);
+        }
     }
 }

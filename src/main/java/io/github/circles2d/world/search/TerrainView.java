@@ -2,9 +2,9 @@ package io.github.circles2d.world.search;
 
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.TerrainStep;
-import io.github.circles2d.world.queries.IdFilter;
 import io.github.circles2d.world.queries.TerrainSearch;
 import io.github.circles2d.world.shared.WorldParts;
+import java.util.function.IntPredicate;
 
 /** The terrain as it is now, to be searched. Pieces are on the host on every back end. */
 public final class TerrainView implements View {
@@ -13,7 +13,7 @@ public final class TerrainView implements View {
     private final TerrainSearch search = new TerrainSearch();
 
     /** Admits the pieces that stop circles and bodies of the kind. */
-    private final IdFilter stopping = this::stops;
+    private final IntPredicate stopping = this::stops;
 
     private int kind;
 

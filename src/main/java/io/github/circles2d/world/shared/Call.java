@@ -3,6 +3,7 @@ package io.github.circles2d.world.shared;
 import io.github.circles2d.world.bodies.RigidLimits;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
 import io.github.circles2d.world.model.KindField;
@@ -197,7 +198,7 @@ public enum Call {
     WAKE_ALL(99, 0),
 
     /**
-     * A joint of which an end is a rigid body: of each end its type, an id, x and y. The type is a number of {@link JointEndType}; a body has a point
+     * A joint of which an end is a rigid body: of each end its type, an id, x and y. The type is a number of {@link JointEnds}; a body has a point
      * in its coordinates, an anchor the id of its body of terrain and a point of that, a circle no point.
      */
     RIGID_JOINT(100, 8),

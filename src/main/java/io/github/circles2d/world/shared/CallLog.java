@@ -6,7 +6,6 @@ import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.log.LogWriter;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.snapshots.SnapshotCodec;
-import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.HashMap;
@@ -26,7 +25,7 @@ public final class CallLog {
     private boolean stepping;
 
     /** Room for a snapshot on its way. */
-    private ByteBuffer snapshot = ByteBuffer.allocate(0);
+    private ByteBuffer snapshot = ByteBuffer.allocate(0).order(ByteOrder.LITTLE_ENDIAN);
 
     /** The outlines that the log has told of, and their numbers. */
     private final Map<OutlineShape, Integer> outlines = new HashMap<>();
@@ -167,13 +166,9 @@ public final class CallLog {
     }
 
     public void write(SavedState state, LogWriter to) {
-        int length = SnapshotCodec.bytes(state);
-        if (snapshot.capacity() < length) {
-            snapshot = ByteBuffer.allocate(length).order(ByteOrder.LITTLE_ENDIAN);
-        }
-        ((Buffer) snapshot).clear();
-        SnapshotCodec.writeAtStart(state, snapshot);
-        to.snapshot(snapshot.array(), length);
+        snapshot = SnapshotCodec.encode(state, snapshot);
+        SnapshotCodec.addCheck(snapshot);
+        to.snapshot(snapshot.array(), snapshot.limit());
     }
 
     /** Steps are to be made. If they cannot be made, the log ends. */

@@ -2,6 +2,8 @@ package io.github.circles2d.world.shared;
 
 import static java.lang.Float.floatToRawIntBits;
 
+import java.util.EnumSet;
+
 /**
  * Makes the calls of {@link Call}. A log has them as words, and so come those of the API that games make seldom. Those on single circles, of
  * which a frame has thousands, are methods of numbers, which a log's words call too.
@@ -33,6 +35,13 @@ public final class Calls {
     /** Says what calls do. */
     public void define(Effects what, Call... calls) {
         for (Call call : calls) {
+            effects[call.ordinal()] = what;
+        }
+    }
+
+    /** Says what the calls from one row of the table to another do. */
+    public void defineAll(Effects what, Call first, Call last) {
+        for (Call call : EnumSet.range(first, last)) {
             effects[call.ordinal()] = what;
         }
     }
@@ -75,7 +84,7 @@ public final class Calls {
 
     private long make(Call call, long handle, int a, int b, int c, int d, int e, int f, int g, int h) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             words[0] = call.named == Call.Named.NOTHING ? a : id(call.named, handle);
             words[1] = b;
             words[2] = c;
@@ -85,19 +94,15 @@ public final class Calls {
             words[6] = g;
             words[7] = h;
             return execute(call, words);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Makes a call of a log, which may come from anywhere. */
     public void repeat(Call call, int[] ofLog) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireId(call.named, ofLog[0]);
             execute(call, ofLog);
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -2,6 +2,9 @@ package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.snapshots.SavedState;
+import io.github.circles2d.world.snapshots.SnapshotCodec;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 
 /** The copies of the state that hold until it changes: the last bulk reading, and the saved state. Also its hash. */
 public final class Copies {
@@ -10,6 +13,11 @@ public final class Copies {
 
     /** Whether {@link #saved} is the state as it is now. */
     private boolean savedCurrent;
+
+    private ByteBuffer snapshot = ByteBuffer.allocate(0).order(ByteOrder.LITTLE_ENDIAN);
+
+    /** Whether {@link #snapshot} has {@link #saved}. */
+    private boolean snapshotCurrent;
 
     private final LastReading last;
 
@@ -50,13 +58,24 @@ public final class Copies {
     public SavedState saved() {
         if (!savedCurrent) {
             world.pending.settle();
+            snapshotCurrent = false;
             world.state.save(saved);
             savedCurrent = true;
         }
         return saved;
     }
 
-    /** The same object, which the caller fills with another state: it is none of now. */
+    /** The state as of now as a snapshot without its check; valid until the next change. */
+    public ByteBuffer snapshot() {
+        SavedState now = saved();
+        if (!snapshotCurrent) {
+            snapshot = SnapshotCodec.encode(now, snapshot);
+            snapshotCurrent = true;
+        }
+        return snapshot;
+    }
+
+    /** The same object as {@link #saved}, which the caller fills with another state: it is none of now. */
     public SavedState other() {
         savedCurrent = false;
         return saved;

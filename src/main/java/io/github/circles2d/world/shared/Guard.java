@@ -10,16 +10,14 @@ import java.util.function.Predicate;
  *
  * <pre>{@code
  * guard.enter();
- * try {
+ * try (guard) {
  *     ...
- * } finally {
- *     guard.leave();
  * }
  * }</pre>
  *
  * <p>A call that only looks into tables of the host, and cannot fail but for its arguments, {@linkplain #check checks} instead.
  */
-public final class Guard {
+public final class Guard implements AutoCloseable {
     private static final AtomicReferenceFieldUpdater<Guard, Thread> USER =
             AtomicReferenceFieldUpdater.newUpdater(Guard.class, Thread.class, "user");
 
@@ -103,8 +101,14 @@ public final class Guard {
         user = null;
     }
 
-    /** From now on no call that needs the state is made. */
+    /** {@link #leave}, at the end of a block. */
+    @Override
     public void close() {
+        leave();
+    }
+
+    /** From now on no call that needs the state is made. */
+    public void end() {
         closed = true;
     }
 

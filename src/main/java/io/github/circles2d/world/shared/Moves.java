@@ -1,7 +1,6 @@
 package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.events.RemotePairs;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.Readiness;
@@ -153,7 +152,7 @@ public final class Moves {
         world.state.carry(carried);
         step.accept(carried);
         world.events.bringHere();
-        RemotePairs remote = world.events.remote();
+        ContactEvents.Remote remote = world.events.remote();
         try {
             world.needs.prepare(next);
             next.makeRoom(carried);

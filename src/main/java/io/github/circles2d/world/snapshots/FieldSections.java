@@ -13,45 +13,18 @@ import java.nio.ByteBuffer;
  * </pre>
  */
 final class FieldSections {
-    private static final int HEAD = 2 * Integer.BYTES;
-
     /** No list, whose iterators would be garbage of each snapshot. */
     private static final CircleField[] ALL = CircleField.ALL.toArray(CircleField[]::new);
 
     private FieldSections() {}
 
-    static int count(SavedState s) {
-        int count = 0;
-        for (CircleField field : ALL) {
-            count += s.fields.used(field) > 0 ? 1 : 0;
-        }
-        return count;
-    }
-
-    static long bytes(SavedState s) {
-        long sum = 0;
-        for (CircleField field : ALL) {
-            long before = sum;
-            int previous = -1;
-            for (int id = 0; id < s.fields.end(field); id++) {
-                if (s.fields.get(field, id) != field.initial()) {
-                    sum += Varint.bytes(id - previous) + valueBytes(field);
-                    previous = id;
-                }
-            }
-            sum += sum > before ? HEAD : 0;
-        }
-        return sum;
-    }
-
-    private static int valueBytes(CircleField field) {
-        return Integer.BYTES * field.words();
-    }
-
-    static void write(SavedState s, ByteBuffer out) {
+    /** Returns how many sections these are. */
+    static int write(SavedState s, ByteBuffer out) {
+        int sections = 0;
         for (CircleField field : ALL) {
             int values = s.fields.used(field);
             if (values > 0) {
+                sections++;
                 out.putInt(field.number()).putInt(values);
                 int previous = -1;
                 for (int id = 0; id < s.fields.end(field); id++) {
@@ -64,6 +37,7 @@ final class FieldSections {
                 }
             }
         }
+        return sections;
     }
 
     private static void putValue(ByteBuffer out, CircleField field, long value) {
@@ -92,7 +66,6 @@ final class FieldSections {
         }
         int before = 0;
         for (int k = 0; k < sections; k++) {
-            SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
             int number = in.getInt();
             SnapshotCodec.require(number > before, "its fields are not in order");
             before = number;
@@ -115,7 +88,7 @@ final class FieldSections {
     }
 
     private static void readSection(ByteBuffer in, SavedState s, CircleField field, int values) {
-        int least = 1 + valueBytes(field);
+        int least = 1 + Integer.BYTES * field.words();
         if (!(values > 0 && values <= s.circles && (long) values * least <= in.remaining())) {
             throw SnapshotCodec.refused("it cannot hold " + values + " values of a field");
         }
@@ -130,7 +103,6 @@ final class FieldSections {
             }
             SnapshotCodec.require(
                     more > 0 && circle < s.circles && s.id[circle] == id, "a value of a field has no circle");
-            SnapshotCodec.require(in.remaining() >= valueBytes(field), "it ends early");
             long value = field.words() == 1 ? in.getInt() : in.getLong();
             SnapshotCodec.require(value != field.initial(), "it has an initial value of a field");
             field.check(value);

@@ -28,8 +28,6 @@ import java.util.Arrays;
  * </pre>
  */
 final class JointSection {
-    private static final int HEAD = Integer.BYTES;
-
     // flags
     private static final int LIVES = 1;
     private static final int HAS_GENERATION = 2;
@@ -57,37 +55,6 @@ final class JointSection {
     }
 
     // ---- writing
-    // -----------------------------------------------------------------------------------------------------
-
-    /** The length of the section behind its number. */
-    static long bytes(SavedState s) {
-        SavedJoints j = s.joints;
-        long sum = HEAD;
-        for (int joint = 0; joint < j.ids; joint++) {
-            int state = state(s, joint);
-            int flags = flags(s.joints, joint, state);
-            sum += 1 + ((flags & HAS_GENERATION) == 0 ? 0 : Varint.bytes(j.generation[joint]));
-            if ((flags & LIVES) != 0) {
-                int values = values(j, joint);
-                sum += Varint.bytes(j.form[joint]) + 1;
-                sum += j.a[joint] == JointRow.NONE ? 0 : Varint.bytes(j.a[joint]);
-                sum += (flags & HAS_RIGID) == 0
-                        ? 0
-                        : 1 + rigidBytes(j, joint, RigidEnds.A) + rigidBytes(j, joint, RigidEnds.B);
-                sum += (flags & HAS_B) == 0 ? 0 : Varint.bytes(j.b[joint]);
-                sum += (flags & HAS_BODY) == 0 ? 0 : Varint.bytes(j.body[joint]);
-                sum += (flags & HAS_REFERENCES) == 0 ? 0 : 2 * Integer.BYTES;
-                sum += Varint.bytes(values) + Float.BYTES * Integer.bitCount(values);
-                sum += (flags & HAS_STATE) == 0 ? 0 : 1 + Float.BYTES * Integer.bitCount(state);
-            }
-        }
-        return sum;
-    }
-
-    private static int rigidBytes(SavedJoints j, int joint, int end) {
-        int body = j.rigid(joint, end);
-        return body == JointRow.NONE ? 0 : Varint.bytes(body) + 2 * Float.BYTES;
-    }
 
     private static int flags(SavedJoints j, int joint, int state) {
         int generation = j.generation[joint] == 0 ? 0 : HAS_GENERATION;
@@ -194,11 +161,9 @@ final class JointSection {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /** Reads the section behind its number, and checks all but the colours and bodies that are pushed; circles and terrain have been read. */
     static void read(ByteBuffer in, SavedState s) {
-        room(in, HEAD);
         int ids = in.getInt();
         if (!(ids > 0 && ids <= JointRules.JOINTS && ids <= in.remaining())) {
             throw SnapshotCodec.refused("it cannot hold " + ids + " joints");
@@ -217,10 +182,6 @@ final class JointSection {
                 readJoint(in, s, joint, flags);
             }
         }
-    }
-
-    private static void room(ByteBuffer in, int bytes) {
-        SnapshotCodec.require(in.remaining() >= bytes, "it ends early");
     }
 
     private static void readJoint(ByteBuffer in, SavedState s, int joint, int flags) {
@@ -249,7 +210,6 @@ final class JointSection {
         j.referenceA[joint] = 0;
         j.referenceB[joint] = 0;
         if ((flags & HAS_REFERENCES) != 0) {
-            room(in, 2 * Integer.BYTES);
             j.referenceA[joint] = in.getInt();
             j.referenceB[joint] = in.getInt();
             SnapshotCodec.require(
@@ -282,7 +242,6 @@ final class JointSection {
             if ((ends & (end == RigidEnds.A ? IS_A : IS_B)) != 0) {
                 int body = Varint.get(in);
                 SnapshotCodec.require(body >= 0, "a joint lacks a body");
-                room(in, 2 * Float.BYTES);
                 j.setRigid(joint, end, body, in.getFloat(), in.getFloat());
             }
         }
@@ -336,7 +295,6 @@ final class JointSection {
         int values = Varint.get(in);
         int form = j.form[joint];
         SnapshotCodec.require((values & ~valuesOf(form, hasAnchor)) == 0, "a joint has no such values");
-        room(in, Float.BYTES * Integer.bitCount(values));
         for (int k = 0; k < SavedJoints.VALUES; k++) {
             float value = SavedJoints.initial(k);
             if ((values & 1 << k) != 0) {
@@ -419,7 +377,6 @@ final class JointSection {
         int state = SnapshotCodec.getByte(in);
         SnapshotCodec.require(
                 state != 0 && (state & ~impulses(s.joints.form[joint])) == 0, "a joint has no such impulses");
-        room(in, Float.BYTES * Integer.bitCount(state));
         for (int k = 0; k < JointState.STRIDE; k++) {
             if ((state & 1 << k) != 0) {
                 float value = in.getFloat();

@@ -18,27 +18,17 @@ final class KindSection {
     /** An array: an iterator for each kind would be garbage whenever a compiler does not see through it. */
     private static final KindField[] FIELDS = KindField.values();
 
-    private static final int HEAD = 2 * Integer.BYTES;
     private static final int VALUE = 2 + Integer.BYTES;
     private static final int RESPONSE = 3;
 
     private KindSection() {}
 
     static boolean isNeeded(KindTable kinds) {
-        return values(kinds) + kinds.settings() > 0;
-    }
-
-    private static int values(KindTable kinds) {
-        return kinds.used();
-    }
-
-    /** The length of the section behind its number. */
-    static int bytes(KindTable kinds) {
-        return HEAD + VALUE * values(kinds) + RESPONSE * kinds.settings();
+        return kinds.used() + kinds.settings() > 0;
     }
 
     static void write(KindTable kinds, ByteBuffer out) {
-        out.putInt(values(kinds)).putInt(kinds.settings());
+        out.putInt(kinds.used()).putInt(kinds.settings());
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
             for (KindField field : FIELDS) {
                 if (kinds.get(field, kind) != field.initial()) {
@@ -57,7 +47,6 @@ final class KindSection {
 
     /** Reads the section behind its number, into kinds that are as they are at first, and checks it. */
     static void read(ByteBuffer in, KindTable kinds) {
-        SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
         int values = in.getInt();
         int responses = in.getInt();
         boolean fit = values >= 0

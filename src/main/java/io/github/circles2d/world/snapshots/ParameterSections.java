@@ -9,6 +9,8 @@ import io.github.circles2d.world.model.SurfaceSettings;
 import io.github.circles2d.world.model.WallMotion;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
 
 /**
  * The parameters of a world in a snapshot that have no place in its header, and what its circles turn by: a section for each that is not
@@ -32,40 +34,71 @@ final class ParameterSections {
     /** The number of the first section; fields have lower ones. */
     static final int FIRST = 1_000;
 
-    private static final int WALL_START = FIRST;
-    private static final int CONTACTS = FIRST + 1;
-    private static final int KINDS = FIRST + 2;
-    private static final int SURFACES = FIRST + 3;
-    private static final int TURNS = FIRST + 4;
-    private static final int GRIPS = FIRST + 5;
-    private static final int TERRAIN = FIRST + 6;
-    private static final int TERRAIN_CONTACTS = FIRST + 7;
-    private static final int JOINTS = FIRST + 8;
-    private static final int SLEEP = FIRST + 9;
-    private static final int RIGIDS = FIRST + 20;
-
     private static final int FLOATS = 4;
-    private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
-    private static final int SURFACE_BYTES = (2 + SurfaceSettings.VALUES) * Integer.BYTES;
+
+    /** The sections, in the order of their numbers. */
+    private enum Section {
+        WALL_START(
+                FIRST,
+                s -> s.parameters().wallsMove(),
+                ParameterSections::writeWallStart,
+                ParameterSections::readWallStart),
+        CONTACTS(
+                FIRST + 1,
+                ParameterSections::hasContacts,
+                ParameterSections::writeContacts,
+                ParameterSections::readContacts),
+        KINDS(
+                FIRST + 2,
+                s -> KindSection.isNeeded(s.kinds),
+                (s, out) -> KindSection.write(s.kinds, out),
+                (in, s) -> KindSection.read(in, s.kinds)),
+        SURFACES(
+                FIRST + 3,
+                ParameterSections::hasSurfaces,
+                ParameterSections::writeSurfaces,
+                ParameterSections::readSurfaces),
+        TURNS(FIRST + 4, s -> TurnSections.circles(s) > 0, TurnSections::writeCircles, TurnSections::readCircles),
+        ROWS(FIRST + 5, s -> TurnSections.impulses(s) > 0, TurnSections::writeImpulses, TurnSections::readImpulses),
+        TERRAIN(
+                FIRST + 6,
+                s -> !s.terrain.isAsAtFirst(),
+                (s, out) -> TerrainSection.write(s.terrain, out),
+                TerrainSection::readTerrain),
+        TERRAIN_CONTACTS(
+                FIRST + 7,
+                s -> s.pieceContacts.count > 0,
+                (s, out) -> TerrainSection.write(s.pieceContacts, out),
+                TerrainSection::readContacts),
+        JOINTS(FIRST + 8, s -> !s.joints.isAsAtFirst(), JointSection::write, JointSection::read),
+        SLEEP(FIRST + 9, s -> s.parameters().sleeps(), SleepSection::write, SleepSection::read),
+        RIGIDS(
+                FIRST + 20,
+                s -> !s.rigids.isAsAtFirst(),
+                (s, out) -> RigidSection.write(s.rigids, out),
+                RigidSection::read);
+
+        /** An array: an iterator would be garbage of each snapshot. */
+        static final Section[] ALL = values();
+
+        final int number;
+        final Predicate<SavedState> isNeeded;
+        final BiConsumer<SavedState, ByteBuffer> writer;
+        final BiConsumer<ByteBuffer, SavedState> reader;
+
+        Section(
+                int number,
+                Predicate<SavedState> isNeeded,
+                BiConsumer<SavedState, ByteBuffer> writer,
+                BiConsumer<ByteBuffer, SavedState> reader) {
+            this.number = number;
+            this.isNeeded = isNeeded;
+            this.writer = writer;
+            this.reader = reader;
+        }
+    }
 
     private ParameterSections() {}
-
-    static int count(SavedState s) {
-        return ofFloats(s)
-                + (KindSection.isNeeded(s.kinds) ? 1 : 0)
-                + (hasSurfaces(s) ? 1 : 0)
-                + (TurnSections.circles(s) > 0 ? 1 : 0)
-                + (TurnSections.impulses(s) > 0 ? 1 : 0)
-                + (s.terrain.isAsAtFirst() ? 0 : 1)
-                + (s.pieceContacts.count > 0 ? 1 : 0)
-                + (s.joints.isAsAtFirst() ? 0 : 1)
-                + (s.parameters().sleeps() ? 1 : 0)
-                + (s.rigids.isAsAtFirst() ? 0 : 1);
-    }
-
-    private static int ofFloats(SavedState s) {
-        return (s.parameters().wallsMove() ? 1 : 0) + (hasContacts(s) ? 1 : 0);
-    }
 
     private static boolean hasContacts(SavedState s) {
         return !s.parameters().contacts().isDefault();
@@ -75,134 +108,85 @@ final class ParameterSections {
         return s.parameters().surfaces().any();
     }
 
-    static long bytes(SavedState s) {
-        int kinds = KindSection.isNeeded(s.kinds) ? Integer.BYTES + KindSection.bytes(s.kinds) : 0;
-        int surfaces = hasSurfaces(s) ? SURFACE_BYTES : 0;
-        int ofTurns =
-                (TurnSections.circles(s) > 0 ? Integer.BYTES : 0) + (TurnSections.impulses(s) > 0 ? Integer.BYTES : 0);
-        long terrain = s.terrain.isAsAtFirst() ? 0 : Integer.BYTES + TerrainSection.bytes(s.terrain);
-        long contacts = s.pieceContacts.count > 0 ? Integer.BYTES + TerrainSection.bytes(s.pieceContacts) : 0;
-        long joints = s.joints.isAsAtFirst() ? 0 : Integer.BYTES + JointSection.bytes(s);
-        long sleep = s.parameters().sleeps() ? Integer.BYTES + SleepSection.bytes(s) : 0;
-        long rigids = s.rigids.isAsAtFirst() ? 0 : Integer.BYTES + RigidSection.bytes(s.rigids);
-        return ofFloats(s) * BYTES
-                + kinds
-                + surfaces
-                + ofTurns
-                + TurnSections.bytes(s)
-                + terrain
-                + contacts
-                + joints
-                + sleep
-                + rigids;
-    }
-
-    static void write(SavedState s, ByteBuffer out) {
-        if (s.parameters().wallsMove()) {
-            Bounds b = s.parameters().wallStart();
-            write(out, WALL_START, b.minX(), b.minY(), b.maxX(), b.maxY());
-        }
-        if (hasContacts(s)) {
-            ContactSettings c = s.parameters().contacts();
-            write(out, CONTACTS, c.restitutionThreshold(), c.frequency(), c.damping(), c.pushOutSpeed());
-        }
-        if (KindSection.isNeeded(s.kinds)) {
-            out.putInt(KINDS);
-            KindSection.write(s.kinds, out);
-        }
-        if (hasSurfaces(s)) {
-            out.putInt(SURFACES).putInt(SurfaceSettings.VALUES);
-            for (int k = 0; k < SurfaceSettings.VALUES; k++) {
-                out.putFloat(s.parameters().surfaces().value(k));
+    /** Returns how many sections these are. */
+    static int write(SavedState s, ByteBuffer out) {
+        int sections = 0;
+        for (Section section : Section.ALL) {
+            if (section.isNeeded.test(s)) {
+                out.putInt(section.number);
+                section.writer.accept(s, out);
+                sections++;
             }
         }
-        int circles = TurnSections.circles(s);
-        if (circles > 0) {
-            out.putInt(TURNS);
-            TurnSections.writeCircles(s, circles, out);
-        }
-        int impulses = TurnSections.impulses(s);
-        if (impulses > 0) {
-            out.putInt(GRIPS);
-            TurnSections.writeImpulses(s, impulses, out);
-        }
-        if (!s.terrain.isAsAtFirst()) {
-            out.putInt(TERRAIN);
-            TerrainSection.write(s.terrain, out);
-        }
-        if (s.pieceContacts.count > 0) {
-            out.putInt(TERRAIN_CONTACTS);
-            TerrainSection.write(s.pieceContacts, out);
-        }
-        if (!s.joints.isAsAtFirst()) {
-            out.putInt(JOINTS);
-            JointSection.write(s, out);
-        }
-        if (s.parameters().sleeps()) {
-            out.putInt(SLEEP);
-            SleepSection.write(s, out);
-        }
-        if (!s.rigids.isAsAtFirst()) {
-            out.putInt(RIGIDS);
-            RigidSection.write(s.rigids, out);
-        }
+        return sections;
     }
 
-    private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
-        out.putInt(number).putInt(FLOATS).putFloat(a).putFloat(b).putFloat(c).putFloat(d);
+    private static void writeWallStart(SavedState s, ByteBuffer out) {
+        Bounds b = s.parameters().wallStart();
+        out.putInt(FLOATS).putFloat(b.minX()).putFloat(b.minY());
+        out.putFloat(b.maxX()).putFloat(b.maxY());
+    }
+
+    private static void writeContacts(SavedState s, ByteBuffer out) {
+        ContactSettings c = s.parameters().contacts();
+        out.putInt(FLOATS).putFloat(c.restitutionThreshold()).putFloat(c.frequency());
+        out.putFloat(c.damping()).putFloat(c.pushOutSpeed());
+    }
+
+    private static void writeSurfaces(SavedState s, ByteBuffer out) {
+        out.putInt(SurfaceSettings.VALUES);
+        for (int k = 0; k < SurfaceSettings.VALUES; k++) {
+            out.putFloat(s.parameters().surfaces().value(k));
+        }
     }
 
     /** Reads a section behind its number, and checks it. */
     static void read(ByteBuffer in, SavedState s, int number) {
-        switch (number) {
-            case KINDS -> KindSection.read(in, s.kinds);
-            case SURFACES -> readSurfaces(in, s);
-            case TURNS -> TurnSections.readCircles(in, s);
-            case GRIPS -> TurnSections.readImpulses(in, s);
-            case TERRAIN -> TerrainSection.readTerrain(in, s);
-            case TERRAIN_CONTACTS -> TerrainSection.readContacts(in, s);
-            case JOINTS -> JointSection.read(in, s);
-            case SLEEP -> SleepSection.read(in, s);
-            case RIGIDS -> RigidSection.read(in, s);
-            default -> readFloats(in, s, number);
+        for (Section section : Section.ALL) {
+            if (section.number == number) {
+                section.reader.accept(in, s);
+                return;
+            }
         }
+        throw SnapshotCodec.later("it has a section with the unknown number " + number);
     }
 
-    private static void readSurfaces(ByteBuffer in, SavedState s) {
-        SnapshotCodec.require(in.remaining() >= SURFACE_BYTES - Integer.BYTES, "it ends early");
-        SnapshotCodec.require(in.getInt() == SurfaceSettings.VALUES, "a section of parameters has not its length");
-        if (hasSurfaces(s)) {
-            ((Buffer) in).position(in.position() + SurfaceSettings.VALUES * Float.BYTES); // as in readFloats
-            return;
+    /** Whether a section of floats is to be read. What was known before is left out: new objects would be garbage of each frame. */
+    private static boolean begin(ByteBuffer in, int floats, boolean known) {
+        SnapshotCodec.require(in.getInt() == floats, "a section of parameters has not its length");
+        if (known) {
+            ((Buffer) in).position(in.position() + floats * Float.BYTES);
         }
-        SurfaceSettings surfaces = SurfaceSettings.NONE.ofCircles(in.getFloat(), in.getFloat());
-        for (int wall = 0; wall < WallMotion.COUNT; wall++) {
-            surfaces = surfaces.withWall(wall, in.getFloat(), in.getFloat(), in.getFloat());
-        }
-        s.setParameters(s.parameters().with(surfaces));
-        SnapshotCodec.require(hasSurfaces(s), "its surfaces do not grip");
+        return !known;
     }
 
-    private static void readFloats(ByteBuffer in, SavedState s, int number) {
-        if (number > CONTACTS) {
-            throw SnapshotCodec.later("it has a section with the unknown number " + number);
-        }
-        SnapshotCodec.require(in.remaining() >= BYTES - Integer.BYTES, "it ends early");
-        SnapshotCodec.require(in.getInt() == FLOATS, "a section of parameters has not its length");
+    private static void readWallStart(ByteBuffer in, SavedState s) {
         WorldParameters p = s.parameters();
-        if (number == WALL_START && p.wallsMove() || number == CONTACTS && hasContacts(s)) {
-            ((Buffer) in)
-                    .position(in.position()
-                            + FLOATS * Float.BYTES); // they were known before, and new objects would be garbage
-        } else if (number == WALL_START) {
+        if (begin(in, FLOATS, p.wallsMove())) {
             Bounds start = new Bounds(wall(in), wall(in), wall(in), wall(in));
             s.setParameters(
                     p.startingAt(start.with(p.bounds().edgeX(), p.bounds().edgeY())));
             SnapshotCodec.require(s.parameters().wallsMove(), "its walls do not move");
             SnapshotCodec.require(startsAtWalls(s.parameters()), "an edge moves that is no wall");
-        } else {
-            s.setParameters(p.with(new ContactSettings(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat())));
+        }
+    }
+
+    private static void readContacts(ByteBuffer in, SavedState s) {
+        if (begin(in, FLOATS, hasContacts(s))) {
+            s.setParameters(s.parameters()
+                    .with(new ContactSettings(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat())));
             SnapshotCodec.require(hasContacts(s), "its contacts are as by default");
+        }
+    }
+
+    private static void readSurfaces(ByteBuffer in, SavedState s) {
+        if (begin(in, SurfaceSettings.VALUES, hasSurfaces(s))) {
+            SurfaceSettings surfaces = SurfaceSettings.NONE.ofCircles(in.getFloat(), in.getFloat());
+            for (int wall = 0; wall < WallMotion.COUNT; wall++) {
+                surfaces = surfaces.withWall(wall, in.getFloat(), in.getFloat(), in.getFloat());
+            }
+            s.setParameters(s.parameters().with(surfaces));
+            SnapshotCodec.require(hasSurfaces(s), "its surfaces do not grip");
         }
     }
 

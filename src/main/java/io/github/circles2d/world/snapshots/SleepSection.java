@@ -17,9 +17,7 @@ import java.util.Arrays;
  * </pre>
  */
 final class SleepSection {
-    private static final int HEAD = Integer.BYTES;
-    private static final int ROW = 2 * Float.BYTES + Integer.BYTES;
-    private static final int LEAST = 2 + ROW;
+    private static final int LEAST = 2 + 2 * Float.BYTES + Integer.BYTES;
 
     private SleepSection() {}
 
@@ -33,19 +31,6 @@ final class SleepSection {
 
     private static int key(int rest) {
         return Sleep.isAsleep(rest) ? 1 + 2 * (Sleep.ASLEEP - rest) : 2 * rest;
-    }
-
-    static long bytes(SavedState s) {
-        long sum = HEAD;
-        int previous = -1;
-        for (int k = 0; k < s.circles; k++) {
-            if (!moves(s, k)) {
-                sum += Varint.bytes(s.id[k] - previous) + Varint.bytes(key(s.rest[k]));
-                sum += ROW;
-                previous = s.id[k];
-            }
-        }
-        return sum;
     }
 
     static void write(SavedState s, ByteBuffer out) {
@@ -67,7 +52,6 @@ final class SleepSection {
 
     /** Reads the section behind its number, and checks it; circles have been read. */
     static void read(ByteBuffer in, SavedState s) {
-        SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
         if (!s.parameters().sleeps()) { // else they were known before, and a new object would be garbage
             s.setParameters(s.parameters().sleeping(true));
         }
@@ -98,7 +82,6 @@ final class SleepSection {
         SnapshotCodec.require(
                 CircleMath.inverseMass(s.circle[CircleRow.of(k) + CircleRow.MASS]) > 0f, "a static circle sleeps");
         s.rest[k] = (key & 1) == 0 ? key >> 1 : Sleep.ASLEEP - (key >> 1);
-        SnapshotCodec.require(in.remaining() >= ROW, "it ends early");
         boolean asleep = Sleep.isAsleep(s.rest[k]);
         s.drift[2 * k] = asleep ? acceleration(in) : drift(in);
         s.drift[2 * k + 1] = asleep ? acceleration(in) : drift(in);

@@ -11,6 +11,8 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import java.nio.Buffer;
+import java.nio.BufferOverflowException;
+import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -66,6 +68,11 @@ public final class SnapshotCodec {
     /** The flags say this number if there are as many impulses or more. */
     private static final int MANY = 7;
 
+    /** More bytes than an id has in most worlds. */
+    private static final long USUAL = 80;
+
+    private static final int MOST = Integer.MAX_VALUE - 8;
+
     // Fewest bytes of a record.
     private static final int LEAST_CIRCLE = 1 + 2 * CircleRow.STRIDE * Float.BYTES;
     private static final int LEAST_IMPULSE = 1 + Float.BYTES;
@@ -73,55 +80,35 @@ public final class SnapshotCodec {
     private SnapshotCodec() {}
 
     // ---- writing
-    // -----------------------------------------------------------------------------------------------------
 
-    /** Throws {@link IllegalStateException} if a buffer cannot hold so many. */
-    public static int bytes(SavedState s) {
-        long sum = HEADER + (long) Float.BYTES * s.impulses + sectionBytes(s);
-        int circle = 0;
-        int impulse = 0;
-        for (int id = 0; id < s.ids; id++) {
-            sum += 1 + (s.generation[id] == 0 ? 0 : Varint.bytes(s.generation[id]));
-            if (circle < s.circles && s.id[circle] == id) {
-                int flags = flags(s, circle);
-                sum += LEAST_CIRCLE
-                        - 1
-                        + Float.BYTES * Integer.bitCount(flags & (HAS_RESTITUTION | HAS_WALL_X | HAS_WALL_Y));
-                int from = impulse;
-                int previous = id;
-                for (; impulse < s.impulses && s.lo[impulse] == id; impulse++) {
-                    sum += Varint.bytes(s.hi[impulse] - previous);
-                    previous = s.hi[impulse];
+    /**
+     * Writes a snapshot from position 0 on, and returns it, ready to be read: in the little-endian buffer, or in a longer one if that has too little
+     * room. Its check is 0 until {@link #addCheck}. Throws {@link IllegalStateException} if it is more than a buffer holds.
+     */
+    public static ByteBuffer encode(SavedState s, ByteBuffer room) {
+        ByteBuffer out = room;
+        while (true) {
+            try {
+                ((Buffer) out).clear();
+                write(s, out);
+                ((Buffer) out).flip();
+                return out;
+            } catch (BufferOverflowException e) {
+                if (out.capacity() == MOST) {
+                    throw new IllegalStateException("a snapshot has more bytes than a buffer holds", e);
                 }
-                sum += impulse - from < MANY ? 0 : Varint.bytes(impulse - from - MANY);
-                circle++;
+                long more = Math.max(HEADER + USUAL * s.ids, out.capacity() * 3L / 2);
+                out = ByteBuffer.allocate((int) Math.min(MOST, more)).order(ByteOrder.LITTLE_ENDIAN);
             }
         }
-        if (sum > Integer.MAX_VALUE) {
-            throw new IllegalStateException("a snapshot of " + sum + " bytes is more than a buffer holds");
-        }
-        return (int) sum;
     }
 
-    private static long sectionBytes(SavedState s) {
-        return FieldSections.bytes(s) + ParameterSections.bytes(s) + TouchSection.bytes(s.touches);
+    /** Completes a snapshot. */
+    public static void addCheck(ByteBuffer snapshot) {
+        snapshot.putLong(CHECK_AT, check(snapshot, snapshot.limit()));
     }
 
-    /** Writes a snapshot from the position on, which moves behind it, in any byte order of the buffer. */
-    public static void write(SavedState s, ByteBuffer to) {
-        ByteBuffer out = to.slice().order(ByteOrder.LITTLE_ENDIAN);
-        writeAtStart(s, out);
-        ((Buffer) to).position(to.position() + out.position());
-    }
-
-    /** Writes a snapshot to a little-endian buffer, from position 0 on, without garbage. */
-    public static void writeAtStart(SavedState s, ByteBuffer out) {
-        encode(s, out);
-        out.putLong(CHECK_AT, check(out, out.position()));
-    }
-
-    /** Writes a snapshot without a check to a little-endian buffer, from position 0 on. */
-    static void encode(SavedState s, ByteBuffer out) {
+    private static void write(SavedState s, ByteBuffer out) {
         WorldParameters p = s.parameters();
         out.putInt(MAGIC)
                 .putInt(VERSION)
@@ -133,8 +120,7 @@ public final class SnapshotCodec {
         out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
         out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
         out.putInt(packed(p.subSteps(), p.bounds())).putFloat(p.previousTimeStep());
-        out.putInt(FieldSections.count(s) + ParameterSections.count(s) + TouchSection.count(s.touches))
-                .putLong(0);
+        out.putInt(0).putLong(0);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
@@ -152,9 +138,8 @@ public final class SnapshotCodec {
             writeCircle(s, circle++, impulse, end, out);
             impulse = end;
         }
-        FieldSections.write(s, out);
-        ParameterSections.write(s, out);
-        TouchSection.write(s.touches, out);
+        int sections = FieldSections.write(s, out) + ParameterSections.write(s, out);
+        out.putInt(SECTIONS_AT, sections + TouchSection.write(s.touches, out));
         out.putInt(LENGTH_AT, out.position());
     }
 
@@ -221,7 +206,6 @@ public final class SnapshotCodec {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /**
      * Reads a snapshot from the position on, which stays, checks all of it, and returns its length. Another thread may write to the
@@ -245,6 +229,14 @@ public final class SnapshotCodec {
 
     /** Reads a little-endian snapshot, from position 0 to the limit, without its check. Known parameters, or null, are not made again. */
     static void decode(ByteBuffer in, SavedState s, WorldParameters known) {
+        try {
+            decodeAll(in, s, known);
+        } catch (BufferUnderflowException e) {
+            throw refused("it ends early");
+        }
+    }
+
+    private static void decodeAll(ByteBuffer in, SavedState s, WorldParameters known) {
         int length = in.limit();
         ((Buffer) in).position(CIRCLES_AT);
         int circles = in.getInt();
@@ -331,7 +323,6 @@ public final class SnapshotCodec {
             return circle;
         }
         require(circle < circles, "there are more circles than it says");
-        require(in.remaining() >= LEAST_CIRCLE - 1, "it ends within a circle");
         s.id[circle] = id;
         int row = CircleRow.STRIDE * circle;
         for (int k = 0; k < CircleRow.STRIDE; k++) {
@@ -343,9 +334,9 @@ public final class SnapshotCodec {
         s.generation[id] = getGeneration(in, (flags & HAS_GENERATION) != 0);
         float worlds = s.parameters().restitution();
         s.traits[row + CircleRow.INVERSE_MASS] = CircleMath.inverseMass(s.circle[row + CircleRow.MASS]);
-        s.traits[row + CircleRow.RESTITUTION] = (flags & HAS_RESTITUTION) != 0 ? getFloat(in) : worlds;
-        s.traits[row + CircleRow.WALL_X] = (flags & HAS_WALL_X) != 0 ? getFloat(in) : 0f;
-        s.traits[row + CircleRow.WALL_Y] = (flags & HAS_WALL_Y) != 0 ? getFloat(in) : 0f;
+        s.traits[row + CircleRow.RESTITUTION] = (flags & HAS_RESTITUTION) != 0 ? in.getFloat() : worlds;
+        s.traits[row + CircleRow.WALL_X] = (flags & HAS_WALL_X) != 0 ? in.getFloat() : 0f;
+        s.traits[row + CircleRow.WALL_Y] = (flags & HAS_WALL_Y) != 0 ? in.getFloat() : 0f;
         checkCircle(s, row);
         readImpulses(in, s, id, flags >> IMPULSES_SHIFT, impulses);
         return circle + 1;
@@ -359,7 +350,7 @@ public final class SnapshotCodec {
             long more = Integer.toUnsignedLong(Varint.get(in));
             hi += more;
             require(more > 0 && hi < s.ids, "an impulse has no second circle");
-            float normalImpulse = getFloat(in);
+            float normalImpulse = in.getFloat();
             require(normalImpulse >= 0 && normalImpulse <= Limits.CACHED_IMPULSE, "an impulse is out of range");
             s.lo[s.impulses] = id;
             s.hi[s.impulses] = (int) hi;
@@ -443,13 +434,7 @@ public final class SnapshotCodec {
     }
 
     static int getByte(ByteBuffer in) {
-        require(in.hasRemaining(), "it ends early");
         return Byte.toUnsignedInt(in.get());
-    }
-
-    private static float getFloat(ByteBuffer in) {
-        require(in.remaining() >= Float.BYTES, "it ends early");
-        return in.getFloat();
     }
 
     static void require(boolean holds, String message) {

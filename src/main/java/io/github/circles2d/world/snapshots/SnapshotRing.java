@@ -93,11 +93,14 @@ public final class SnapshotRing {
         return low;
     }
 
-    /** Saves a state. Frames from its number on go, and the oldest one if there is no place. If memory is short, nothing changes. */
-    public void save(int frame, SavedState s) {
+    /**
+     * Saves an encoded state and its parameters. Frames from its number on go, and the oldest one if there is no place. If memory is short, nothing
+     * changes.
+     */
+    public void save(int frame, ByteBuffer state, WorldParameters itsParameters) {
         int before = search(frame);
         int place = place(before);
-        int length = SnapshotCodec.bytes(s);
+        int length = state.limit();
         if (bytes[place] == null || bytes[place].capacity() < length) {
             bytes[place] = room(length);
         }
@@ -105,11 +108,10 @@ public final class SnapshotRing {
             first = place(1);
             before--;
         }
-        size = before; // the place has no frame until all is written
         ((Buffer) bytes[place]).clear();
-        SnapshotCodec.encode(s, bytes[place]);
+        bytes[place].put(state.array(), 0, length);
         ((Buffer) bytes[place]).flip();
-        parameters[place] = s.parameters();
+        parameters[place] = itsParameters;
         number[place] = frame;
         size = before + 1;
     }

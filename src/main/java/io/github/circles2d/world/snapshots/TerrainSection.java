@@ -27,18 +27,12 @@ import java.util.Arrays;
  * </pre>
  */
 final class TerrainSection {
-    private static final int HEAD = 2 * Integer.BYTES;
-
     // flags of a body
     private static final int LIVES = 1;
     private static final int HAS_GENERATION = 2;
     private static final int MOVES = 4;
     private static final int TRAVELS = 8;
     private static final int MOVED_OTHERWISE = 16;
-
-    private static final int POSE = 2 * Double.BYTES + Integer.BYTES;
-    private static final int MOTION = 3 * Float.BYTES;
-    private static final int TARGET = 2 * Float.BYTES + Integer.BYTES;
 
     // flags of a piece, above its form and its side
     private static final int SHAPE = PieceRow.FORM | PieceRow.SOLID_OUTSIDE;
@@ -47,9 +41,6 @@ final class TerrainSection {
     private static final int HAS_BODY = 32;
     private static final int HAS_AFTER = 64;
     private static final int HAS_THICKNESS = 128;
-
-    private static final int LINE = 4 * Float.BYTES;
-    private static final int ARC = 5 * Float.BYTES + Integer.BYTES;
 
     /** Of the square of the length of a direction. */
     private static final float UNIT_SLACK = 1e-5f;
@@ -68,39 +59,6 @@ final class TerrainSection {
     }
 
     // ---- writing
-    // -----------------------------------------------------------------------------------------------------
-
-    /** The length of the section of terrain behind its number. */
-    static long bytes(SavedTerrain t) {
-        long sum = HEAD;
-        for (int id = 1; id < t.bodyIds; id++) {
-            int flags = bodyFlags(t, id);
-            sum += 1
-                    + ((flags & HAS_GENERATION) == 0 ? 0 : Varint.bytes(t.bodyGeneration[id]))
-                    + ((flags & LIVES) == 0 ? 0 : POSE)
-                    + ((flags & MOVES) == 0 ? 0 : MOTION)
-                    + ((flags & TRAVELS) == 0 ? 0 : TARGET)
-                    + ((flags & MOVED_OTHERWISE) == 0 ? 0 : MOTION);
-        }
-        for (int piece = 0; piece < t.pieceIds; piece++) {
-            int flags = pieceFlags(t, piece);
-            sum += 1
-                    + ((flags & PIECE_GENERATION) == 0 ? 0 : Varint.bytes(t.pieceGeneration[piece]))
-                    + ((flags & HAS_KIND) == 0 ? 0 : 1)
-                    + ((flags & HAS_BODY) == 0 ? 0 : Varint.bytes(t.body[piece]))
-                    + ((flags & HAS_AFTER) == 0 ? 0 : Varint.bytes(t.after[piece]))
-                    + formBytes(flags);
-        }
-        return sum;
-    }
-
-    private static int formBytes(int flags) {
-        return switch (flags & PieceRow.FORM) {
-            case PieceRow.NO_PIECE -> 0;
-            case PieceRow.ARC -> ARC;
-            default -> LINE + ((flags & HAS_THICKNESS) == 0 ? 0 : Float.BYTES);
-        };
-    }
 
     private static int bodyFlags(SavedTerrain t, int id) {
         int generation = t.bodyGeneration[id] == 0 ? 0 : HAS_GENERATION;
@@ -182,27 +140,21 @@ final class TerrainSection {
         if ((flags & HAS_AFTER) != 0) {
             Varint.put(out, t.after[piece]);
         }
-        int floats = formBytes(flags) / Float.BYTES;
-        boolean arc = (flags & PieceRow.FORM) == PieceRow.ARC;
-        for (int k = 0; k < (arc ? SavedTerrain.FORM : floats); k++) {
+        for (int k = 0; k < floats(flags); k++) {
             out.putFloat(t.form[SavedTerrain.FORM * piece + k]);
         }
-        if (arc) {
+        if ((flags & PieceRow.FORM) == PieceRow.ARC) {
             out.putInt(t.half[piece]);
         }
     }
 
-    /** The length of the section of contacts behind its number. */
-    static long bytes(SavedPieceContacts c) {
-        long sum = Integer.BYTES;
-        for (int k = 0; k < c.count; k++) {
-            int more = more(c, k);
-            sum += Varint.bytes(more)
-                    + Varint.bytes(pieceKey(c, k, more))
-                    + 1
-                    + (long) Float.BYTES * Integer.bitCount(flags(c, k) & ~SIDE);
-        }
-        return sum;
+    /** The floats of a form. */
+    private static int floats(int flags) {
+        return switch (flags & PieceRow.FORM) {
+            case PieceRow.NO_PIECE -> 0;
+            case PieceRow.ARC -> SavedTerrain.FORM;
+            default -> SavedTerrain.FORM - ((flags & HAS_THICKNESS) == 0 ? 1 : 0);
+        };
     }
 
     private static int more(SavedPieceContacts c, int k) {
@@ -242,11 +194,9 @@ final class TerrainSection {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /** Reads the section of terrain behind its number, and checks all but which piece follows which. */
     static void readTerrain(ByteBuffer in, SavedState s) {
-        SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
         int pieces = in.getInt();
         int bodies = in.getInt();
         boolean fits = pieces >= 0
@@ -269,10 +219,6 @@ final class TerrainSection {
         }
     }
 
-    private static void room(ByteBuffer in, int bytes) {
-        SnapshotCodec.require(in.remaining() >= bytes, "it ends early");
-    }
-
     private static void readBody(ByteBuffer in, SavedTerrain t, int id, Bounds bounds) {
         int flags = SnapshotCodec.getByte(in);
         boolean lives = (flags & LIVES) != 0;
@@ -286,7 +232,6 @@ final class TerrainSection {
         t.bodies.y[id] = 0;
         t.bodies.angle[id] = 0;
         if (lives) {
-            room(in, POSE);
             t.bodies.x[id] = place(in.getDouble(), bounds.minX(), bounds.maxX(), bounds.periodX());
             t.bodies.y[id] = place(in.getDouble(), bounds.minY(), bounds.maxY(), bounds.periodY());
             t.bodies.angle[id] = in.getInt();
@@ -296,7 +241,6 @@ final class TerrainSection {
         t.bodies.vy[id] = 0f;
         t.bodies.omega[id] = 0f;
         if (moves) {
-            room(in, MOTION);
             t.bodies.vx[id] = velocity(in.getFloat());
             t.bodies.vy[id] = velocity(in.getFloat());
             t.bodies.omega[id] = velocity(in.getFloat());
@@ -309,7 +253,6 @@ final class TerrainSection {
         t.bodies.targetY[id] = 0f;
         t.bodies.targetAngle[id] = 0;
         if (t.bodies.travels[id]) {
-            room(in, TARGET);
             t.bodies.targetX[id] = (float) place(in.getFloat(), bounds.minX(), bounds.maxX(), bounds.periodX());
             t.bodies.targetY[id] = (float) place(in.getFloat(), bounds.minY(), bounds.maxY(), bounds.periodY());
             t.bodies.targetAngle[id] = in.getInt();
@@ -318,7 +261,6 @@ final class TerrainSection {
         t.bodies.lastVy[id] = t.bodies.vy[id];
         t.bodies.lastOmega[id] = t.bodies.omega[id];
         if ((flags & MOVED_OTHERWISE) != 0) {
-            room(in, MOTION);
             t.bodies.lastVx[id] = velocity(in.getFloat());
             t.bodies.lastVy[id] = velocity(in.getFloat());
             t.bodies.lastOmega[id] = velocity(in.getFloat());
@@ -369,12 +311,9 @@ final class TerrainSection {
             SnapshotCodec.require(after >= 0 && after < t.pieceIds, "a piece of terrain is followed by none");
             t.after[piece] = after;
         }
-        int bytes = formBytes(flags);
-        room(in, bytes);
         int at = SavedTerrain.FORM * piece;
         t.form[at + 4] = 0f;
-        int floats = form == PieceRow.ARC ? SavedTerrain.FORM : bytes / Float.BYTES;
-        for (int k = 0; k < floats; k++) {
+        for (int k = 0; k < floats(flags); k++) {
             t.form[at + k] = in.getFloat();
         }
         if (form == PieceRow.ARC) {
@@ -413,7 +352,6 @@ final class TerrainSection {
 
     /** Reads the section of contacts behind its number, and checks it; circles and terrain have been read. */
     static void readContacts(ByteBuffer in, SavedState s) {
-        room(in, Integer.BYTES);
         int count = in.getInt();
         if (!(count > 0 && (long) count * LEAST_CONTACT <= in.remaining())) {
             throw SnapshotCodec.refused("it cannot hold " + count + " contacts with terrain");
@@ -446,7 +384,6 @@ final class TerrainSection {
         SnapshotCodec.require(
                 flags <= CONTACT_FLAGS && side <= 1 && (twoSided || side >= 0) && (side != 0 || (flags & ~SIDE) == 0),
                 "a contact with terrain has no such flags");
-        room(in, Float.BYTES * Integer.bitCount(flags & ~SIDE));
         float impulse = (flags & HAS_IMPULSE) == 0 ? 0f : value(in, 0f);
         float[] rows = s.pieceContacts.next;
         for (int row = 0; row < ContactRows.COUNT; row++) {

@@ -23,7 +23,6 @@ final class TouchSection {
     /** Greater than those of all other sections. */
     static final int NUMBER = 2000;
 
-    private static final int HEAD = 4 * Integer.BYTES;
     private static final int VALUE_BYTES = SavedTouches.VALUES * Float.BYTES;
     private static final int OPEN = Integer.BYTES + VALUE_BYTES;
     private static final int LATE = 2 * Long.BYTES + 2 + VALUE_BYTES;
@@ -32,32 +31,14 @@ final class TouchSection {
 
     private TouchSection() {}
 
-    /** The number of sections: 1 or none. */
-    static int count(SavedTouches t) {
-        return t.pairs + t.late > 0 ? 1 : 0;
-    }
-
-    static long bytes(SavedTouches t) {
-        if (count(t) == 0) {
-            return 0;
-        }
-        long sum = HEAD + (long) OPEN * t.open + (long) LATE * t.late;
-        int before = 0;
-        for (int k = 0; k < t.pairs; k++) {
-            int lower = lower(t, k);
-            sum += Varint.bytes(lower - before) + Varint.bytes((int) t.pair[k] - lower);
-            before = lower;
-        }
-        return sum;
-    }
-
     private static int lower(SavedTouches t, int k) {
         return (int) (t.pair[k] >>> Integer.SIZE);
     }
 
-    static void write(SavedTouches t, ByteBuffer out) {
-        if (count(t) == 0) {
-            return;
+    /** Returns how many sections that is: 1 or none. */
+    static int write(SavedTouches t, ByteBuffer out) {
+        if (t.pairs + t.late == 0) {
+            return 0;
         }
         out.putInt(NUMBER).putInt(t.pairs).putInt(t.open).putInt(t.late);
         int before = 0;
@@ -77,6 +58,7 @@ final class TouchSection {
             out.put((byte) t.lateInts[SavedTouches.LATE_INTS * k + 1]);
             writeValues(t.lateValues, k, out);
         }
+        return 1;
     }
 
     private static void writeValues(float[] values, int k, ByteBuffer out) {
@@ -87,7 +69,6 @@ final class TouchSection {
 
     /** Reads the section behind its number and its number of pairs, and checks it; the circles have been read. */
     static void read(ByteBuffer in, SavedState s, int pairs) {
-        SnapshotCodec.require(in.remaining() >= 2 * Integer.BYTES, "it ends early");
         int open = in.getInt();
         int late = in.getInt();
         SnapshotCodec.require(
@@ -116,7 +97,6 @@ final class TouchSection {
             SnapshotCodec.require(k == 0 || t.pair[k] > t.pair[k - 1], "its pairs that touch are not in order");
         }
         t.pairs = pairs;
-        SnapshotCodec.require(in.remaining() >= (long) OPEN * open + (long) LATE * late, "it ends early");
         for (int k = 0; k < open; k++) {
             t.openPair[k] = in.getInt();
             SnapshotCodec.require(

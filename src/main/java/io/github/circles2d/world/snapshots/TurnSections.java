@@ -18,7 +18,6 @@ import java.util.Arrays;
  * </pre>
  */
 final class TurnSections {
-    private static final int HEAD = Integer.BYTES;
 
     private static final int HAS_ANGLE = 1;
     private static final int HAS_VELOCITY = 2;
@@ -33,7 +32,6 @@ final class TurnSections {
     private TurnSections() {}
 
     // ---- writing
-    // -----------------------------------------------------------------------------------------------------
 
     /** Circles that have something. */
     static int circles(SavedState s) {
@@ -73,40 +71,13 @@ final class TurnSections {
         return Float.floatToRawIntBits(value) == 0;
     }
 
-    /** The length of both sections behind their numbers; 0 of one that is not there. */
-    static long bytes(SavedState s) {
-        long sum = 0;
-        int previous = -1;
-        for (int k = 0; s.turns && k < s.circles; k++) {
-            int flags = flagsOfCircle(s, k);
-            if (flags != 0) {
-                sum += (sum == 0 ? HEAD : 0) + Varint.bytes(s.id[k] - previous) + 1 + values(flags);
-                previous = s.id[k];
-            }
-        }
-        long ofCircles = sum;
-        previous = -1;
-        for (int k = 0; s.turns && k < s.impulses; k++) {
-            int flags = flagsOfImpulse(s, k);
-            if (flags != 0) {
-                sum += (sum == ofCircles ? HEAD : 0) + Varint.bytes(key(k - previous, flags)) + values(flags);
-                previous = k;
-            }
-        }
-        return sum;
-    }
-
-    private static int values(int flags) {
-        return Float.BYTES * Integer.bitCount(flags);
-    }
-
     private static int key(int more, int flags) {
         return more << ROW_BITS | flags;
     }
 
     /** Writes the section of circles behind its number. */
-    static void writeCircles(SavedState s, int count, ByteBuffer out) {
-        out.putInt(count);
+    static void writeCircles(SavedState s, ByteBuffer out) {
+        out.putInt(circles(s));
         int previous = -1;
         for (int k = 0; k < s.circles; k++) {
             int flags = flagsOfCircle(s, k);
@@ -130,8 +101,8 @@ final class TurnSections {
     }
 
     /** Writes the section of impulses behind its number. */
-    static void writeImpulses(SavedState s, int count, ByteBuffer out) {
-        out.putInt(count);
+    static void writeImpulses(SavedState s, ByteBuffer out) {
+        out.putInt(impulses(s));
         int previous = -1;
         for (int k = 0; k < s.impulses; k++) {
             int flags = flagsOfImpulse(s, k);
@@ -148,7 +119,6 @@ final class TurnSections {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /** Nothing turns, until a section says so. */
     static void clear(SavedState s) {
@@ -181,7 +151,6 @@ final class TurnSections {
             SnapshotCodec.require(more > 0 && circle < s.circles && s.id[circle] == id, "what turns has no circle");
             int flags = SnapshotCodec.getByte(in);
             SnapshotCodec.require(flags != 0 && flags <= CIRCLE_FLAGS, "a circle that turns has no such flags");
-            SnapshotCodec.require(in.remaining() >= values(flags), "it ends early");
             if ((flags & HAS_ANGLE) != 0) {
                 s.angle[circle] = in.getInt();
                 SnapshotCodec.require(s.angle[circle] != 0, "it has an angle of 0");
@@ -209,7 +178,6 @@ final class TurnSections {
             int flags = (int) key & ROW_FLAGS;
             impulse += more;
             SnapshotCodec.require(more > 0 && impulse < s.impulses && flags != 0, "rows have no impulse");
-            SnapshotCodec.require(in.remaining() >= values(flags), "it ends early");
             for (int row = 0; row < ContactRows.COUNT; row++) {
                 if ((flags >> row & 1) != 0) {
                     s.rows[ContactRows.of((int) impulse) + row] = value(in);
@@ -219,7 +187,6 @@ final class TurnSections {
     }
 
     private static int count(ByteBuffer in, int most, int least) {
-        SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
         int count = in.getInt();
         if (!(count > 0 && count <= most && (long) count * least <= in.remaining())) {
             throw SnapshotCodec.refused("it cannot hold " + count + " values of what turns");

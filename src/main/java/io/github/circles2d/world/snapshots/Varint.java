@@ -31,7 +31,6 @@ final class Varint {
     static int get(ByteBuffer in) {
         int value = 0;
         for (int shift = 0; shift < Integer.SIZE; shift += BITS) {
-            SnapshotCodec.require(in.hasRemaining(), "it ends early");
             int b = Byte.toUnsignedInt(in.get());
             value |= (b & MASK) << shift;
             if (b < MORE) {

@@ -14,8 +14,6 @@ public final class BodyPoses {
     private double[] y = new double[0];
     private int[] angle = new int[0];
 
-    public BodyPoses() {}
-
     /** Takes down where bodies are. */
     public void keep(BodyTable bodies) {
         int n = bodies.ids.end();
@@ -33,18 +31,14 @@ public final class BodyPoses {
         angle[id] = bodies.angle[id];
     }
 
-    /** All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** The array that is compared grows last: a growth that fails is tried again. */
     private void ensure(int bodies) {
         if (angle.length < bodies) {
             int c = Math.max(bodies, angle.length + (angle.length >> 1));
-            long[] newHandle = Arrays.copyOf(handle, c);
-            double[] newX = Arrays.copyOf(x, c);
-            double[] newY = Arrays.copyOf(y, c);
-            int[] newAngle = Arrays.copyOf(angle, c);
-            handle = newHandle;
-            x = newX;
-            y = newY;
-            angle = newAngle;
+            handle = Arrays.copyOf(handle, c);
+            x = Arrays.copyOf(x, c);
+            y = Arrays.copyOf(y, c);
+            angle = Arrays.copyOf(angle, c);
         }
     }
 

@@ -27,41 +27,26 @@ public class BodyStates {
     public float[] targetY = new float[0];
     public int[] targetAngle = new int[0];
 
-    BodyStates() {}
-
     /** For how many bodies there is room. */
     final int room() {
         return targetAngle.length;
     }
 
-    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room. The array that is compared grows last: a growth that fails is tried again. */
     void setRoom(int bodies) {
-        double[] newX = Arrays.copyOf(x, bodies);
-        double[] newY = Arrays.copyOf(y, bodies);
-        int[] newAngle = Arrays.copyOf(angle, bodies);
-        float[] newVx = Arrays.copyOf(vx, bodies);
-        float[] newVy = Arrays.copyOf(vy, bodies);
-        float[] newOmega = Arrays.copyOf(omega, bodies);
-        float[] newLastVx = Arrays.copyOf(lastVx, bodies);
-        float[] newLastVy = Arrays.copyOf(lastVy, bodies);
-        float[] newLastOmega = Arrays.copyOf(lastOmega, bodies);
-        boolean[] newTravels = Arrays.copyOf(travels, bodies);
-        float[] newTargetX = Arrays.copyOf(targetX, bodies);
-        float[] newTargetY = Arrays.copyOf(targetY, bodies);
-        int[] newTargetAngle = Arrays.copyOf(targetAngle, bodies);
-        x = newX;
-        y = newY;
-        angle = newAngle;
-        vx = newVx;
-        vy = newVy;
-        omega = newOmega;
-        lastVx = newLastVx;
-        lastVy = newLastVy;
-        lastOmega = newLastOmega;
-        travels = newTravels;
-        targetX = newTargetX;
-        targetY = newTargetY;
-        targetAngle = newTargetAngle;
+        x = Arrays.copyOf(x, bodies);
+        y = Arrays.copyOf(y, bodies);
+        angle = Arrays.copyOf(angle, bodies);
+        vx = Arrays.copyOf(vx, bodies);
+        vy = Arrays.copyOf(vy, bodies);
+        omega = Arrays.copyOf(omega, bodies);
+        lastVx = Arrays.copyOf(lastVx, bodies);
+        lastVy = Arrays.copyOf(lastVy, bodies);
+        lastOmega = Arrays.copyOf(lastOmega, bodies);
+        travels = Arrays.copyOf(travels, bodies);
+        targetX = Arrays.copyOf(targetX, bodies);
+        targetY = Arrays.copyOf(targetY, bodies);
+        targetAngle = Arrays.copyOf(targetAngle, bodies);
     }
 
     /** Takes over the first bodies of others, for which there is room. */

@@ -50,13 +50,10 @@ public final class BodyTable extends BodyStates {
 
     @Override
     void setRoom(int bodies) {
-        int[] newFirstPiece = Arrays.copyOf(firstPiece, bodies);
-        int[] newMovers = Arrays.copyOf(movers, bodies);
-        boolean[] newIsMover = Arrays.copyOf(isMover, bodies);
         super.setRoom(bodies);
-        firstPiece = newFirstPiece;
-        movers = newMovers;
-        isMover = newIsMover;
+        firstPiece = Arrays.copyOf(firstPiece, bodies);
+        movers = Arrays.copyOf(movers, bodies);
+        isMover = Arrays.copyOf(isMover, bodies);
         ids.setRoom(bodies);
     }
 

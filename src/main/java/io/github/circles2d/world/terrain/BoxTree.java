@@ -54,16 +54,11 @@ public abstract class BoxTree {
     public final void ensure(int things) {
         if (order.length < things) {
             int c = Math.max(things, order.length + (order.length >> 1));
-            float[] newBoxes = Arrays.copyOf(boxes, BOX_STRIDE * nodesOf(c));
-            int[] newLinks = Arrays.copyOf(links, LINK_STRIDE * nodesOf(c));
-            float[] newMiddleX = new float[c];
-            float[] newMiddleY = new float[c];
-            int[] newOrder = new int[c];
-            boxes = newBoxes;
-            links = newLinks;
-            middleX = newMiddleX;
-            middleY = newMiddleY;
-            order = newOrder;
+            boxes = Arrays.copyOf(boxes, BOX_STRIDE * nodesOf(c));
+            links = Arrays.copyOf(links, LINK_STRIDE * nodesOf(c));
+            middleX = new float[c];
+            middleY = new float[c];
+            order = new int[c];
         }
     }
 

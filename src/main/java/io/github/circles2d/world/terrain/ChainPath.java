@@ -162,12 +162,9 @@ public final class ChainPath {
     private void append(float x, float y, float centreX, float centreY, long turn) {
         int next = pieces + 1;
         if (next >= turns.length) {
-            float[] newPoints = Arrays.copyOf(points, 4 * turns.length);
-            float[] newCentres = Arrays.copyOf(centres, 4 * turns.length);
-            long[] newTurns = Arrays.copyOf(turns, 2 * turns.length);
-            points = newPoints;
-            centres = newCentres;
-            turns = newTurns;
+            points = Arrays.copyOf(points, 4 * turns.length);
+            centres = Arrays.copyOf(centres, 4 * turns.length);
+            turns = Arrays.copyOf(turns, 2 * turns.length);
         }
         points[2 * next] = x;
         points[2 * next + 1] = y;

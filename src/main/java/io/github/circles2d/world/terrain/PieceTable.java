@@ -80,24 +80,15 @@ public final class PieceTable {
     }
 
     private void setRoom(int c) {
-        float[] newForm = Arrays.copyOf(form, FORM * c);
-        int[] newHalf = Arrays.copyOf(half, c);
-        int[] newBody = Arrays.copyOf(body, c);
-        int[] newBefore = Arrays.copyOf(before, c);
-        int[] newAfter = Arrays.copyOf(after, c);
-        int[] newNextOfBody = Arrays.copyOf(nextOfBody, c);
-        int[] newPreviousOfBody = Arrays.copyOf(previousOfBody, c);
-        int[] newTraits = Arrays.copyOf(traits, PieceRow.TRAITS * c);
-        float[] newRows = Arrays.copyOf(rows, PieceRow.STRIDE * c);
-        form = newForm;
-        half = newHalf;
-        body = newBody;
-        before = newBefore;
-        after = newAfter;
-        nextOfBody = newNextOfBody;
-        previousOfBody = newPreviousOfBody;
-        traits = newTraits;
-        rows = newRows;
+        form = Arrays.copyOf(form, FORM * c);
+        half = Arrays.copyOf(half, c);
+        body = Arrays.copyOf(body, c);
+        before = Arrays.copyOf(before, c);
+        after = Arrays.copyOf(after, c);
+        nextOfBody = Arrays.copyOf(nextOfBody, c);
+        previousOfBody = Arrays.copyOf(previousOfBody, c);
+        traits = Arrays.copyOf(traits, PieceRow.TRAITS * c);
+        rows = Arrays.copyOf(rows, PieceRow.STRIDE * c);
         ids.setRoom(c);
     }
 
@@ -162,7 +153,6 @@ public final class PieceTable {
     }
 
     // ---- changes, for which there is room
-    // ----------------------------------------------------------------------------
 
     /** A two-sided segment, or a line of a chain. */
     int addLine(int ofBody, int kind, int shape, float x1, float y1, float x2, float y2, float thickness) {
@@ -292,7 +282,6 @@ public final class PieceTable {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     /** What of a shape is not a joint. */
     private static int withoutJoints(int shape) {
@@ -401,7 +390,6 @@ public final class PieceTable {
     }
 
     // ---- rows
-    // --------------------------------------------------------------------------------------------------------
 
     void changed(int piece) {
         changedFrom = Math.min(changedFrom, piece);

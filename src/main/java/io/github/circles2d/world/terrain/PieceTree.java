@@ -23,8 +23,6 @@ final class PieceTree extends BoxTree {
     /** Those of the pieces of the last call. */
     private float[] rows;
 
-    PieceTree() {}
-
     int nodes() {
         return nodes;
     }

@@ -32,8 +32,6 @@ public final class SavedPieceContacts {
     /** Room for the rows of a contact that somebody is about to add. */
     public final float[] next = new float[ContactRows.COUNT];
 
-    public SavedPieceContacts() {}
-
     public void clear() {
         count = 0;
     }
@@ -41,20 +39,14 @@ public final class SavedPieceContacts {
     /** Makes room without changing the number. */
     public void ensure(int contacts) {
         if (impulse.length < contacts) {
-            // All arrays are made before one is assigned: a growth that fails changes nothing.
+            // The array that is compared grows last: a growth that fails is tried again.
             int c = Math.max(contacts, impulse.length + (impulse.length >> 1));
-            int[] newCircle = Arrays.copyOf(circle, c);
-            int[] newPiece = Arrays.copyOf(piece, c);
-            int[] newSerial = Arrays.copyOf(serial, c);
-            byte[] newSide = Arrays.copyOf(side, c);
-            float[] newImpulse = Arrays.copyOf(impulse, c);
-            float[] newRows = Arrays.copyOf(rows, ContactRows.of(c));
-            circle = newCircle;
-            piece = newPiece;
-            serial = newSerial;
-            side = newSide;
-            rows = newRows;
-            impulse = newImpulse;
+            circle = Arrays.copyOf(circle, c);
+            piece = Arrays.copyOf(piece, c);
+            serial = Arrays.copyOf(serial, c);
+            side = Arrays.copyOf(side, c);
+            rows = Arrays.copyOf(rows, ContactRows.of(c));
+            impulse = Arrays.copyOf(impulse, c);
         }
     }
 

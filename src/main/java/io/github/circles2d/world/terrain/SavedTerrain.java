@@ -72,30 +72,21 @@ public final class SavedTerrain {
     /** Makes room, without the contents so far, and sets the numbers. */
     public void setIds(int ofPieces, int ofBodies) {
         if (half.length < ofPieces) {
-            // All arrays are made before one is assigned: a growth that fails changes nothing.
+            // The array that is compared grows last: a growth that fails is tried again.
             int c = Math.max(ofPieces, half.length + (half.length >> 1));
-            int[] newPieceGeneration = new int[c];
-            byte[] newShape = new byte[c];
-            byte[] newKind = new byte[c];
-            int[] newBody = new int[c];
-            int[] newAfter = new int[c];
-            float[] newForm = new float[FORM * c];
-            int[] newHalf = new int[c];
-            pieceGeneration = newPieceGeneration;
-            shape = newShape;
-            kind = newKind;
-            body = newBody;
-            after = newAfter;
-            form = newForm;
-            half = newHalf;
+            pieceGeneration = new int[c];
+            shape = new byte[c];
+            kind = new byte[c];
+            body = new int[c];
+            after = new int[c];
+            form = new float[FORM * c];
+            half = new int[c];
         }
         if (bodies.room() < ofBodies) {
             int c = Math.max(ofBodies, bodies.room() + (bodies.room() >> 1));
-            int[] newBodyGeneration = new int[c];
-            boolean[] newBodyLives = new boolean[c];
+            bodyGeneration = new int[c];
+            bodyLives = new boolean[c];
             bodies.setRoom(c);
-            bodyGeneration = newBodyGeneration;
-            bodyLives = newBodyLives;
         }
         pieceIds = ofPieces;
         bodyIds = ofBodies;

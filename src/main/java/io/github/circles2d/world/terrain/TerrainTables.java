@@ -45,7 +45,6 @@ public final class TerrainTables {
     }
 
     // ---- pieces
-    // ------------------------------------------------------------------------------------------------------
 
     private void fill(int piece) {
         pieces.filler().setPose(bodies, pieces.body[piece]);
@@ -148,7 +147,6 @@ public final class TerrainTables {
     }
 
     // ---- bodies
-    // ------------------------------------------------------------------------------------------------------
 
     public int addBody(float x, float y, int angle) {
         return bodies.add(bounds.placeX(x), bounds.placeY(y), angle);
@@ -189,7 +187,6 @@ public final class TerrainTables {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     public long hash() {
         return pieces.hash() + bodies.hash();
@@ -243,7 +240,6 @@ public final class TerrainTables {
     }
 
     // ---- steps
-    // -------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #begin} and {@link #refresh}. If there is none, nothing has changed. */
     public void makeRoom(int subSteps) {
@@ -354,7 +350,6 @@ public final class TerrainTables {
         }
     }
 
-    /** Bytes of the tables. */
     public long bytes() {
         return (long) Integer.BYTES
                 * (pieces.rows.length

@@ -6,7 +6,7 @@ import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.RigidTouches;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindTable;
-import io.github.circles2d.world.joints.JointEndType;
+import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.PairTable;
@@ -104,17 +104,16 @@ final class BodyChanges {
     private void join() {
         JointForm rod = new JointForm(JointRow.AXIAL | JointRow.RIGID);
         JointForm pin = new JointForm(JointRow.POINT | JointRow.RIGID);
-        simulation.joints.add(
-                JointEndType.RIGID, bodies.get(0), 0.1f, 0, JointEndType.RIGID, bodies.get(1), 0, 0.1f, rod);
+        simulation.joints.add(JointEnds.RIGID, bodies.get(0), 0.1f, 0, JointEnds.RIGID, bodies.get(1), 0, 0.1f, rod);
         for (int k = 3; k < 5; k++) { // a cart, and a rope
             JointForm form = k == 3 ? pin : rod;
             simulation.joints.add(
-                    JointEndType.RIGID, bodies.get(3), 0.4f, 0, JointEndType.CIRCLE, circles.get(k), 0, 0, form);
+                    JointEnds.RIGID, bodies.get(3), 0.4f, 0, JointEnds.CIRCLE, circles.get(k), 0, 0, form);
             simulation.joints.add(
-                    JointEndType.CIRCLE, circles.get(k + 2), 0, 0, JointEndType.RIGID, bodies.get(k), 0, 0, rod);
+                    JointEnds.CIRCLE, circles.get(k + 2), 0, 0, JointEnds.RIGID, bodies.get(k), 0, 0, rod);
         }
         simulation.joints.add(
-                JointEndType.RIGID, bodies.get(2), 0.1f, 0, JointEndType.ANCHOR, simulation.bodies.ground(), 6, 6, pin);
+                JointEnds.RIGID, bodies.get(2), 0.1f, 0, JointEnds.ANCHOR, simulation.bodies.ground(), 6, 6, pin);
     }
 
     /** Adds boxes, one below the other, that hang at each other. */
@@ -124,7 +123,7 @@ final class BodyChanges {
         for (int k = 0; k < boxes; k++) {
             long box = simulation.rigids.add(box(0.4f, 1), 6, 9 - k, 0.1f * k, 1, 0);
             if (k > 0) {
-                simulation.joints.add(JointEndType.RIGID, before, 0, -0.5f, JointEndType.RIGID, box, 0, 0.5f, pin);
+                simulation.joints.add(JointEnds.RIGID, before, 0, -0.5f, JointEnds.RIGID, box, 0, 0.5f, pin);
             }
             before = box;
         }

@@ -5,7 +5,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.joints.JointEndType;
+import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.KindField;
@@ -80,10 +80,10 @@ final class SleepingBodies {
         JointForm pin = new JointForm(JointRow.POINT | JointRow.RIGID);
         long first = body(0.4f, 0.2f, 2.4f, 3);
         long other = body(0.4f, 0.2f, 2.8f, 3);
-        simulation.joints.add(JointEndType.RIGID, first, 0.2f, 0, JointEndType.RIGID, other, -0.2f, 0, pin);
+        simulation.joints.add(JointEnds.RIGID, first, 0.2f, 0, JointEnds.RIGID, other, -0.2f, 0, pin);
         long cart = body(0.8f, 0.2f, 7, 2);
         rod = simulation.joints.add(
-                JointEndType.RIGID, cart, 0.3f, 0, JointEndType.CIRCLE, circle(7.3f, 2.4f, 0.15f, 0), 0, 0, pin);
+                JointEnds.RIGID, cart, 0.3f, 0, JointEnds.CIRCLE, circle(7.3f, 2.4f, 0.15f, 0), 0, 0, pin);
     }
 
     private long circle(float x, float y, float r, float mass) {

@@ -31,6 +31,7 @@ import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.snapshots.SnapshotCodec;
 import io.github.circles2d.world.terrain.ChainPath;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -596,9 +597,10 @@ final class Twins implements AutoCloseable {
             SavedState state = new SavedState();
             SnapshotCodec.read(snapshot(simulation), state);
             state.setParameters(change.apply(state.parameters()));
-            ByteBuffer changed = ByteBuffer.allocate(SnapshotCodec.bytes(state));
-            SnapshotCodec.write(state, changed);
-            simulation.snapshots.restore(changed.flip());
+            ByteBuffer changed =
+                    SnapshotCodec.encode(state, ByteBuffer.allocate(0).order(ByteOrder.LITTLE_ENDIAN));
+            SnapshotCodec.addCheck(changed);
+            simulation.snapshots.restore(changed);
         }
     }
 

@@ -28,7 +28,7 @@ class ContactEventsTest {
         records.clear();
         events.queue().asked(1);
         int pair = events.find(0, 1);
-        if (touch && events.concerns(pair, 0, 1, true, 0, 0, 1)) {
+        if (touch && events.tracker.concerns(pair, 0, 1, true, 0, 0, 1)) {
             records.add(pair, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
         }
         events.endStep(records);
@@ -80,7 +80,7 @@ class ContactEventsTest {
     }
 
     /** A device that has made steps with circles whose ids are below a limit. */
-    private static final class Known implements RemotePairs {
+    private static final class Known implements ContactEvents.Remote {
         final List<Integer> asked = new ArrayList<>();
 
         @Override

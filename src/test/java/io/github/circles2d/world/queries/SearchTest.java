@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -215,7 +216,7 @@ class SearchTest {
         for (int i = 0; i < n / 2; i++) {
             System.arraycopy(circles, 4 * (2 * i + 1), odd, 4 * i, 4);
         }
-        IdFilter filter = id -> id % 2 == 1;
+        IntPredicate filter = id -> id % 2 == 1;
         BruteForce truth = new BruteForce(odd, n / 2);
         for (int q = 0; q < 200; q++) {
             float[] p = Crowd.MIXED.point(random);

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
+import java.util.function.IntPredicate;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -91,7 +92,7 @@ class TerrainSearchTest {
         for (int scene = 0; scene < 6; scene++) {
             PieceRows rows = pieces(n, scene % 2 == 0 ? 10 : 60);
             search.show(rows.step, WALLED);
-            IdFilter filter = scene < 3 ? null : id -> id % 3 != 0;
+            IntPredicate filter = scene < 3 ? null : id -> id % 3 != 0;
             for (int q = 0; q < 40; q++) {
                 found += compare(rows, filter, 0, 0);
             }
@@ -113,7 +114,7 @@ class TerrainSearchTest {
         assertThat(found).isGreaterThan(500);
     }
 
-    private int compare(PieceRows rows, IdFilter filter, float periodX, float periodY) {
+    private int compare(PieceRows rows, IntPredicate filter, float periodX, float periodY) {
         float x = Math.min(Math.max(coordinate(), 0), 99);
         float y = Math.min(Math.max(coordinate(), 0), 99);
         float size = Math.abs(length());
@@ -133,7 +134,7 @@ class TerrainSearchTest {
             boolean disc = false;
             boolean box = false;
             double least = Double.POSITIVE_INFINITY;
-            for (int i = -mostImages; i <= mostImages && (filter == null || filter.admits(p)); i++) {
+            for (int i = -mostImages; i <= mostImages && (filter == null || filter.test(p)); i++) {
                 for (int j = -mostImages; j <= mostImages; j++) {
                     PieceShape shape = shape(rows, p, i * periodX, j * periodY);
                     disc |= shape.overlapsDisc(x, y, size);
@@ -179,7 +180,7 @@ class TerrainSearchTest {
         }
     }
 
-    private int comparePaths(QueryShape shape, List<Hit> truth, IdFilter filter, float... query) {
+    private int comparePaths(QueryShape shape, List<Hit> truth, IntPredicate filter, float... query) {
         truth.sort(ORDER);
         int count = search.all(shape, query, filter);
         List<Hit> all = new ArrayList<>();
@@ -212,7 +213,7 @@ class TerrainSearchTest {
         }
     }
 
-    private List<Integer> overlaps(QueryShape shape, IdFilter filter, float... query) {
+    private List<Integer> overlaps(QueryShape shape, IntPredicate filter, float... query) {
         int count = search.all(shape, query, filter);
         List<Integer> all = new ArrayList<>();
         for (int k = 0; k < count; k++) {
@@ -221,7 +222,7 @@ class TerrainSearchTest {
         return all;
     }
 
-    private List<Hit> nearest(float x, float y, float within, int most, IdFilter filter) {
+    private List<Hit> nearest(float x, float y, float within, int most, IntPredicate filter) {
         int count = search.nearest(x, y, within, most, filter);
         List<Hit> all = new ArrayList<>();
         float[] hit = new float[CastSearch.HIT_STRIDE];

@@ -275,9 +275,9 @@ class TerrainSectionTest {
     }
 
     private static ByteBuffer bytes(SavedState state) {
-        ByteBuffer bytes = ByteBuffer.allocate(SnapshotCodec.bytes(state)).order(ByteOrder.LITTLE_ENDIAN);
-        SnapshotCodec.writeAtStart(state, bytes);
-        return bytes.flip();
+        ByteBuffer bytes = SnapshotCodec.encode(state, ByteBuffer.allocate(0).order(ByteOrder.LITTLE_ENDIAN));
+        SnapshotCodec.addCheck(bytes);
+        return bytes;
     }
 
     private static ByteBuffer copy(ByteBuffer from) {

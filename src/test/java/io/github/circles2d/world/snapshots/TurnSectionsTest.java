@@ -107,9 +107,9 @@ class TurnSectionsTest {
     }
 
     private static ByteBuffer bytes(SavedState state) {
-        ByteBuffer bytes = ByteBuffer.allocate(SnapshotCodec.bytes(state)).order(ByteOrder.LITTLE_ENDIAN);
-        SnapshotCodec.writeAtStart(state, bytes);
-        return bytes.flip();
+        ByteBuffer bytes = SnapshotCodec.encode(state, ByteBuffer.allocate(0).order(ByteOrder.LITTLE_ENDIAN));
+        SnapshotCodec.addCheck(bytes);
+        return bytes;
     }
 
     /** Of a world with the circle 0 and the free id 1. */

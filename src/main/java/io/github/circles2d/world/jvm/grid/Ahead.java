@@ -98,7 +98,6 @@ public final class Ahead {
         return left;
     }
 
-    /** Memory of the array. */
     long bytes() {
         return 4L * records.length;
     }

@@ -39,7 +39,6 @@ public final class Candidates {
         thinned = false;
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 4L * count.length;
     }

@@ -42,14 +42,11 @@ final class Carrying {
 
     void ensure() {
         if (carryTime.length < state.capacity()) {
-            int[] newCarryTime = new int[state.capacity()];
-            int[] newCarrier = new int[state.capacity()];
-            carryTime = newCarryTime;
-            carrier = newCarrier;
+            carrier = new int[state.capacity()];
+            carryTime = new int[state.capacity()];
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 8L * carryTime.length;
     }

@@ -107,12 +107,9 @@ public final class ContinuousCollision {
         reaches.ensure();
         sparse.ensure();
         if (timeOfImpact.length < state.capacity()) {
-            int[] newTimeOfImpact = new int[state.capacity()];
-            int[] newNear = new int[state.capacity()];
-            int[] newAllowance = new int[state.capacity()];
-            timeOfImpact = newTimeOfImpact;
-            near = newNear;
-            allowance = newAllowance;
+            near = new int[state.capacity()];
+            allowance = new int[state.capacity()];
+            timeOfImpact = new int[state.capacity()];
         }
         int blocks = levels.buckets() >> (2 * BLOCK_LOG);
         if (range.length < RANGE_STRIDE * blocks) {
@@ -120,7 +117,6 @@ public final class ContinuousCollision {
         }
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 12L * timeOfImpact.length
                 + 4L * range.length

@@ -104,27 +104,18 @@ public final class Grid {
     public void ensure() {
         if (bucketOf.length < state.capacity()) {
             int c = state.capacity();
-            int[] newBucketBefore = new int[c];
-            int[] newRank = new int[c];
-            int[] newOrder = new int[c];
-            int[] newBucketOf = new int[c];
-            float[] newSpeculativeDistance = new float[c];
-            float[] newPath = new float[c];
-            byte[] newLevel = new byte[c];
-            bucketBefore = newBucketBefore;
-            rank = newRank;
-            order = newOrder;
-            bucketOf = newBucketOf;
-            speculativeDistance = newSpeculativeDistance;
-            path = newPath;
-            level = newLevel;
+            bucketBefore = new int[c];
+            rank = new int[c];
+            order = new int[c];
+            speculativeDistance = new float[c];
+            path = new float[c];
+            level = new byte[c];
+            bucketOf = new int[c];
         }
         sheets = levels.haveSheets();
         if (sheets && sheetKey.length < state.capacity()) {
-            int[] newSheetKey = new int[state.capacity()];
-            int[] newSheetKeyBefore = new int[state.capacity()];
-            sheetKey = newSheetKey;
-            sheetKeyBefore = newSheetKeyBefore;
+            sheetKeyBefore = new int[state.capacity()];
+            sheetKey = new int[state.capacity()];
         }
         if (start.length <= levels.buckets()) {
             start = new int[levels.buckets() + 1 + (levels.buckets() >> 2)];
@@ -519,7 +510,6 @@ public final class Grid {
         return 0.5f * levels.top[levels.used[0]];
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return (6 * 4 + 1L) * bucketOf.length + 8L * sheetKey.length + 4L * start.length;
     }

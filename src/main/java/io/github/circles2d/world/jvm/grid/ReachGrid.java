@@ -67,12 +67,9 @@ final class ReachGrid {
 
     void ensure() {
         if (before.length < state.capacity()) {
-            int[] newBefore = new int[state.capacity()];
-            float[] newReach = new float[state.capacity()];
-            int[] newLast = new int[Reach.reachBuckets(state.capacity())];
-            before = newBefore;
-            reach = newReach;
-            last = newLast;
+            reach = new float[state.capacity()];
+            last = new int[Reach.reachBuckets(state.capacity())];
+            before = new int[state.capacity()];
         }
         buckets = Reach.reachBuckets(state.awake);
         topExponent = Reach.topExponent(levels.rmax);
@@ -80,7 +77,6 @@ final class ReachGrid {
         used.set(0);
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (last.length + before.length + reach.length);
         for (int[] each : hits) {

@@ -79,10 +79,8 @@ final class SparseGrid {
         }
         if (last.length < cells) {
             int c = cells + (cells >> 2);
-            int[] newCount = new int[c];
-            int[] newLast = new int[c];
-            count = newCount;
-            last = newLast;
+            count = new int[c];
+            last = new int[c];
         }
         if (cells > 0 && before.length < state.capacity()) {
             before = new int[state.capacity()];
@@ -101,7 +99,6 @@ final class SparseGrid {
         cells += columns[level] * rows[level];
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (last.length + count.length + before.length);
         for (int[] each : hits) {

@@ -76,10 +76,8 @@ public final class JointPasses {
         split.ensure(joints.splitCircles);
         if (JointWork.of(joints.count) > work.length) {
             int room = joints.count + (joints.count >> 1) + 16;
-            int[] newSlots = new int[JointWork.slots(room)];
-            float[] newWork = new float[JointWork.of(room)];
-            slots = newSlots;
-            work = newWork;
+            slots = new int[JointWork.slots(room)];
+            work = new float[JointWork.of(room)];
         }
         if (state.n > jointed.length) {
             jointed = new boolean[state.capacity()];

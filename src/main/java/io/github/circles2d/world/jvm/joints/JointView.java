@@ -132,7 +132,6 @@ final class JointView extends VisitedJoint {
     }
 
     // ---- what it is
-    // -----------------------------------------------------------------------------------------------------
 
     boolean hasB() {
         return b >= 0;
@@ -162,7 +161,6 @@ final class JointView extends VisitedJoint {
     }
 
     // ---- where its ends are
-    // -----------------------------------------------------------------------------------------------------
 
     private int anchor(int boundary) {
         return AnchorRow.of(joints.traits[traits + JointRow.ANCHOR], boundary, k.subSteps);
@@ -233,7 +231,6 @@ final class JointView extends VisitedJoint {
     }
 
     // ---- how they move
-    // --------------------------------------------------------------------------------------------------
 
     /** Takes the velocities of both. */
     void look(int boundary) {

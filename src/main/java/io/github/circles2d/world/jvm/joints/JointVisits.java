@@ -64,7 +64,6 @@ final class JointVisits {
     }
 
     // ---- the biased pass
-    // -----------------------------------------------------------------------------------------------------
 
     void solve(int place, int sub) {
         begin(place);
@@ -156,7 +155,6 @@ final class JointVisits {
     }
 
     // ---- the relaxing pass
-    // ---------------------------------------------------------------------------------------------------
 
     void relax(int place, int sub) {
         begin(place);

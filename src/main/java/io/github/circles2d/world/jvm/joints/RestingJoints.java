@@ -84,7 +84,6 @@ public final class RestingJoints {
     }
 
     // ---- what a step is told
-    // -------------------------------------------------------------------------------------------------
 
     /** The joints of a step that do not rest. */
     JointStep awake(JointStep step) {
@@ -119,17 +118,12 @@ public final class RestingJoints {
         int count = all.count;
         if (awake.order.length < count) {
             int room = count + (count >> 1) + 16;
-            int[] newOrder = new int[room];
-            int[] newSplitEnds = new int[2 * room];
-            int[] newJoints = new int[2 * room];
-            int[] newDriving = new int[room];
-            int[] newBordering = new int[room];
             torn = new int[2 * room];
-            awake.order = newOrder;
-            awake.splitEnds = newSplitEnds;
-            joints = newJoints;
-            driving = newDriving;
-            bordering = newBordering;
+            awake.splitEnds = new int[2 * room];
+            joints = new int[2 * room];
+            driving = new int[room];
+            bordering = new int[room];
+            awake.order = new int[room];
         }
         if (awake.starts.length < all.starts.length) {
             awake.starts = new int[all.starts.length];
@@ -249,7 +243,6 @@ public final class RestingJoints {
     }
 
     // ---- the joints of a circle
-    // ----------------------------------------------------------------------------------------------
 
     /** The first entry of a circle; of the id behind it: the end. */
     public int first(int id) {
@@ -323,7 +316,6 @@ public final class RestingJoints {
     }
 
     // ---- what a joint did in the last step, as this one goes on from it
-    // ------------------------------------------------------
 
     public float sumX(int joint, StepConstants k) {
         return sum(joint, JointState.SUM_X, k);
@@ -377,7 +369,6 @@ public final class RestingJoints {
     }
 
     // ---- the end of a step
-    // ---------------------------------------------------------------------------------------------------
 
     void tear(int joint) {
         torn[tornCount++] = a(joint);

@@ -47,10 +47,8 @@ final class SplitJoints {
 
     void ensure(int circles) {
         if (circles > shares.length) {
-            long[] newSums = new long[SUMS * 2 * circles];
-            int[] newShares = new int[2 * circles];
-            sums = newSums;
-            shares = newShares;
+            sums = new long[SUMS * 2 * circles];
+            shares = new int[2 * circles];
         }
     }
 

@@ -21,7 +21,6 @@ final class PieceMemory {
 
     private int[] numbers = new int[0];
 
-    /** Memory of the arrays. */
     long bytes() {
         return 4L * (boxes.length + numbers.length);
     }

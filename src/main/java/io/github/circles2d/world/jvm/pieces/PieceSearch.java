@@ -60,7 +60,6 @@ public final class PieceSearch {
         }
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         long sum = memory.bytes();
         for (Finder each : finders) {
@@ -108,7 +107,6 @@ public final class PieceSearch {
     }
 
     // ---- circles that sleep
-    // ----------------------------------------------------------------------------------------------------
 
     /** Keeps the contacts of a circle that has fallen asleep, measured; one worker does it for all. */
     public void keep(int slot, TerrainStep terrain, StepConstants k) {
@@ -166,7 +164,6 @@ public final class PieceSearch {
     }
 
     // ---- the search
-    // ----------------------------------------------------------------------------------------------------------
 
     /** Finds the places of what the workers have found, and returns how many contacts that are. */
     private int found() {
@@ -385,10 +382,8 @@ public final class PieceSearch {
 
         private void ensure(int room) {
             if (PieceContactRow.of(room) > rows.length) {
-                int[] newNumbers = Arrays.copyOf(numbers, PieceContactRow.numbers(room + (room >> 1)));
-                float[] newRows = Arrays.copyOf(rows, PieceContactRow.of(room + (room >> 1)));
-                numbers = newNumbers;
-                rows = newRows;
+                numbers = Arrays.copyOf(numbers, PieceContactRow.numbers(room + (room >> 1)));
+                rows = Arrays.copyOf(rows, PieceContactRow.of(room + (room >> 1)));
             }
         }
     }

@@ -185,7 +185,7 @@ public final class PieceTouches {
         int code = Partner.ofPiece(contacts.piece(c));
         int pair = events.find(id, code);
         float approach = rows[t + APPROACH];
-        if (events.concerns(pair, id, code, touches, approach, impulse, threshold)) {
+        if (events.tracker.concerns(pair, id, code, touches, approach, impulse, threshold)) {
             records.add(
                     pair,
                     id,
@@ -202,7 +202,6 @@ public final class PieceTouches {
         }
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 4L * rows.length;
     }

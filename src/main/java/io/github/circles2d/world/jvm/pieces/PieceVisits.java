@@ -253,7 +253,6 @@ public final class PieceVisits {
     }
 
     // ---- other rows than the normal one
-    // ----------------------------------------------------------------------------------------------------------
 
     private void visitRows(int s, int c, float along, float bounce) {
         takeRows(s, c);

@@ -67,7 +67,7 @@ public final class SensedPiece {
         found.measure(terrain.rows, at, shape, thenX, thenY, r, measuredSide);
         float vn = (found.nx * ux + found.ny * uy) / k.dt;
         float approach = TouchRule.approachSpeed(vn);
-        if (events.concerns(pair, id, code, touches, approach, 0f, Float.MAX_VALUE)) {
+        if (events.tracker.concerns(pair, id, code, touches, approach, 0f, Float.MAX_VALUE)) {
             float away = r + 0.5f * found.gap;
             place(thenX - away * found.nx, thenY - away * found.ny, piece, terrain, k);
             records.add(pair, id, code, approach, 0f, -nx, -ny, x, y, 0f, vn, Float.MAX_VALUE);

@@ -157,7 +157,7 @@ public final class WallTouches {
         float r = state.circle[CircleRow.of(slot) + RADIUS];
         float thresholdRate = isX ? k.thresholdRateX : k.thresholdRateY;
         float threshold = Bounce.bounceThreshold(2f * r, 0f, thresholdRate, k.restRate, k.fixedThreshold);
-        if (events.concerns(pair, id, wall, touches, approach, impulse, threshold)) {
+        if (events.tracker.concerns(pair, id, wall, touches, approach, impulse, threshold)) {
             float vn = side * state.motion[CircleRow.of(slot) + VX + axis]
                     - k.walls.speedFor(WallMotion.of(axis, side), r);
             float nx = isX ? -side : 0f;

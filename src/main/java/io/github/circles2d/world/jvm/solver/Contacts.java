@@ -154,10 +154,8 @@ public final class Contacts {
         if (ContactRow.PAIR_STRIDE * contacts > pair.length) {
             int c = (int) Math.min(MOST_CONTACTS, Math.max(contacts + (contacts >> 2), 256));
             impulseCache.ensure(c);
-            float[] newContact = new float[ContactRow.of(c)];
-            int[] newPair = new int[ContactRow.a(c)];
-            contact = newContact;
-            pair = newPair;
+            contact = new float[ContactRow.of(c)];
+            pair = new int[ContactRow.a(c)];
         }
         int room = contact.length / ContactRow.STRIDE;
         if (state.turning != null && !rows.hasRoom(room)) {
@@ -170,7 +168,6 @@ public final class Contacts {
     }
 
     // ---- finding
-    // -----------------------------------------------------------------------------------------------------
 
     /** Finds the circles that rest near to others, before all pairs. */
     public void findResting() {
@@ -319,7 +316,6 @@ public final class Contacts {
     }
 
     // ---- filling
-    // -----------------------------------------------------------------------------------------------------
 
     /** Begins to fill contacts. */
     void beginToFill(int worker) {
@@ -546,7 +542,6 @@ public final class Contacts {
         return (long) state.id[lowerSlot(c)] << 32 | state.id[higherSlot(c)];
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         long sum = 4L * (rowStart.length + pair.length + contact.length + heavyAndSide.length)
                 + rows.bytes()

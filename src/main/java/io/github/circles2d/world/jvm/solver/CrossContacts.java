@@ -91,19 +91,15 @@ final class CrossContacts {
 
     void ensure() {
         if (levels.usedCount > 1 && number.length < state.capacity()) {
-            int[] newLightStart = new int[state.capacity() + 1];
-            int[] newLoad = new int[state.capacity()];
-            int[] newNumber = new int[state.capacity()];
-            lightStart = newLightStart;
-            load = newLoad;
-            number = newNumber;
+            lightStart = new int[state.capacity() + 1];
+            load = new int[state.capacity()];
+            number = new int[state.capacity()];
         }
         for (int l = 0; l < levels.usedCount; l++) {
             reach[levels.used[l]] = levels.reach(levels.used[l]);
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (lightStart.length + load.length + number.length + light.length) + 8L * heavy.length;
         for (FoundCross f : found) {
@@ -250,10 +246,8 @@ final class CrossContacts {
         }
         if (sum > heavy.length) {
             int c = Math.toIntExact(sum + (sum >> 2));
-            int[] newLight = new int[c];
-            long[] newHeavy = new long[c];
-            light = newLight;
-            heavy = newHeavy;
+            light = new int[c];
+            heavy = new long[c];
         }
     }
 

@@ -50,7 +50,6 @@ final class FoundCross {
         near.count = 0;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 16L * heavy.length + 4L * near.slots.length;
     }
@@ -62,12 +61,9 @@ final class FoundCross {
             return;
         }
         if (count == light.length) {
-            int[] newLight = Arrays.copyOf(light, 2 * count);
-            int[] newRank = Arrays.copyOf(rank, 2 * count);
-            long[] newHeavy = Arrays.copyOf(heavy, 2 * count);
-            light = newLight;
-            rank = newRank;
-            heavy = newHeavy;
+            rank = Arrays.copyOf(rank, 2 * count);
+            heavy = Arrays.copyOf(heavy, 2 * count);
+            light = Arrays.copyOf(light, 2 * count);
         }
         light[count] = lightSlot;
         heavy[count++] = heavyIdAndSlot;

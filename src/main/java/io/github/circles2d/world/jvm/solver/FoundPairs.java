@@ -87,10 +87,8 @@ final class FoundPairs {
     /** Gathers a pair of the group that is being found. */
     void gather(int slot, int id, int other, int otherId) {
         if (gathered == gatheredIds.length) {
-            long[] newGatheredIds = Arrays.copyOf(gatheredIds, 2 * gathered);
-            long[] newGatheredSlots = Arrays.copyOf(gatheredSlots, 2 * gathered);
-            gatheredIds = newGatheredIds;
-            gatheredSlots = newGatheredSlots;
+            gatheredSlots = Arrays.copyOf(gatheredSlots, 2 * gathered);
+            gatheredIds = Arrays.copyOf(gatheredIds, 2 * gathered);
         }
         // exchanged where the other has the lower id; no branch, which would be taken as if by chance
         int exchange = (slot ^ other) & (otherId - id >> 31);
@@ -222,14 +220,11 @@ final class FoundPairs {
     void ensure(int pairs) {
         if (pairs > ids.length) {
             int c = Math.max(pairs, ids.length + (ids.length >> 1));
-            long[] newIds = Arrays.copyOf(ids, c);
-            long[] newSlots = Arrays.copyOf(slots, c);
-            ids = newIds;
-            slots = newSlots;
+            slots = Arrays.copyOf(slots, c);
+            ids = Arrays.copyOf(ids, c);
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 16L * (ids.length + gatheredIds.length) + 8L * (kept.length + keptBefore.length);
     }

@@ -95,12 +95,9 @@ final class HeavyCircles {
         int circles = heavy + 1;
         if (slot.length < circles) {
             int c = circles + (circles >> 2);
-            int[] newSlot = new int[c];
-            float[] newSeen = new float[STRIDE * c];
-            int[] newClaim = new int[c];
-            slot = newSlot;
-            seen = newSeen;
-            claim = newClaim;
+            seen = new float[STRIDE * c];
+            claim = new int[c];
+            slot = new int[c];
         }
         for (int w = 0; w < team.size(); w++) {
             if (sums[w].length < SUMS * circles) {
@@ -125,7 +122,6 @@ final class HeavyCircles {
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (slot.length + seen.length + claim.length + seenSurfaceSpeed.length);
         for (int w = 0; w < sums.length; w++) {

@@ -111,7 +111,6 @@ final class KeptPairs {
         this.found = found;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 4L * (last.length + lastBucket.length + 3L * way.length + 5L * keptAt.length);
     }
@@ -160,30 +159,20 @@ final class KeptPairs {
     private void ensure() {
         int ids = state.slotOf.length;
         if (lastBucket.length < 2 * ids) {
-            float[] newLast = Arrays.copyOf(last, 3 * ids);
-            int[] newLastBucket = Arrays.copyOf(lastBucket, 2 * ids);
-            last = newLast;
-            lastBucket = newLastBucket;
+            last = Arrays.copyOf(last, 3 * ids);
+            lastBucket = Arrays.copyOf(lastBucket, 2 * ids);
         }
         int spans = (levels.buckets() >> SPAN_LOG) + 1;
         if (changed.length < spans) {
             int c = spans + (spans >> 2);
-            int[] newChanged = Arrays.copyOf(changed, c);
-            int[] newCircles = Arrays.copyOf(circles, c);
-            float[] newWay = Arrays.copyOf(way, c);
-            int[] newKeptAt = Arrays.copyOf(keptAt, 2 * c);
-            float[] newLeft = Arrays.copyOf(left, 2 * c);
-            int[] newKeeper = Arrays.copyOf(keeper, 2 * c);
-            int[] newFrom = Arrays.copyOf(from, 2 * c);
-            int[] newTo = Arrays.copyOf(to, 2 * c);
-            changed = newChanged;
-            circles = newCircles;
-            way = newWay;
-            keptAt = newKeptAt;
-            left = newLeft;
-            keeper = newKeeper;
-            from = newFrom;
-            to = newTo;
+            circles = Arrays.copyOf(circles, c);
+            way = Arrays.copyOf(way, c);
+            keptAt = Arrays.copyOf(keptAt, 2 * c);
+            left = Arrays.copyOf(left, 2 * c);
+            keeper = Arrays.copyOf(keeper, 2 * c);
+            from = Arrays.copyOf(from, 2 * c);
+            to = Arrays.copyOf(to, 2 * c);
+            changed = Arrays.copyOf(changed, c);
         }
     }
 
@@ -210,7 +199,6 @@ final class KeptPairs {
     }
 
     // ---- ways
-    // -------------------------------------------------------------------------------------------------------
 
     private void noteWays(int worker) {
         for (int l = 0; l < levels.usedCount; l++) {
@@ -263,7 +251,6 @@ final class KeptPairs {
     }
 
     // ---- pairs
-    // -------------------------------------------------------------------------------------------------------
 
     /** Whether {@link #find} finds the pairs of a level. */
     boolean has(int level) {

@@ -85,7 +85,6 @@ final class LikeBodies {
     }
 
     // ---- loops of passes: within a visit, velocities stay in local variables
-    // -----------------------------------------------------------------------------------------------------------------
 
     /** The biased pass, see {@link PairVisits#solve}. */
     int solveUntilFlight(int from, int to, int asked, StepConstants k) {

@@ -96,7 +96,6 @@ public final class NearResting {
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (first.length + list.length);
         for (int worker = 0; worker < found.length; worker++) {
@@ -274,7 +273,6 @@ public final class NearResting {
     }
 
     // ---- impulses
-    // ----------------------------------------------------------------------------------------------------------
 
     /** Before contacts are filled. */
     void beginContacts(int worker) {

@@ -287,7 +287,6 @@ public final class Solver {
     }
 
     // ---- sweeps, where there is one level
-    // ----------------------------------------------------------------------------
 
     private void solveInSweeps() {
         int most = Math.max(1, bands.narrowest() / ROWS_PER_SUB_STEP);
@@ -387,7 +386,6 @@ public final class Solver {
     }
 
     // ---- pass after pass, where there are more levels, or hardly any rows
-    // --------------------------------------------
 
     private void solveInPasses() {
         boolean crosses = levels.usedCount > 1;
@@ -514,7 +512,6 @@ public final class Solver {
     }
 
     // ---- cross contacts
-    // ----------------------------------------------------------------------------------------------
 
     private int firstCross(Share share, int l) {
         return contacts.firstCross + share.fromCross[l];
@@ -586,7 +583,6 @@ public final class Solver {
     }
 
     // ---- rows of contacts
-    // --------------------------------------------------------------------------------------------
 
     private int firstContact(int level, int row) {
         return contacts.rowStart[levels.firstRow[level] + row];

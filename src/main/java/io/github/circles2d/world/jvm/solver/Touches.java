@@ -158,12 +158,9 @@ public final class Touches {
         }
         if (rows.length < STRIDE * (long) many) {
             int length = Math.multiplyExact(STRIDE, many + (many >> 2));
-            boolean[] newHasUnkept = new boolean[(length / STRIDE >> PART) + 1];
-            float[] newPlaces = new float[length];
-            float[] newRows = new float[length];
-            hasUnkept = newHasUnkept;
-            places = newPlaces;
-            rows = newRows;
+            hasUnkept = new boolean[(length / STRIDE >> PART) + 1];
+            places = new float[length];
+            rows = new float[length];
         }
         if (state.turning != null && (slips == null || slips.length < SLIPS * (long) many)) {
             slips = new float[SLIPS * (rows.length / STRIDE)];
@@ -219,7 +216,7 @@ public final class Touches {
         }
         for (int c = from; wanted != ALL && c < to; c++) {
             long ids = contacts.ids(c);
-            wanted[c] = events.typesOfCircles((int) (ids >>> 32), (int) ids) != 0;
+            wanted[c] = events.tracker.typesOfCircles((int) (ids >>> 32), (int) ids) != 0;
         }
     }
 
@@ -406,8 +403,8 @@ public final class Touches {
                 stay++;
                 // Few pairs reach even the threshold of a bounce, which is at hand and not more than that of a hit.
                 if (numbers[c] < ContactEvents.NONE
-                        || events.isHitSpeed(approach, q[o + RESTITUTION_THRESHOLD])
-                                && events.isHit(approach(c), r[t + IMPULSE], threshold(c, k))) {
+                        || events.tracker.isHitSpeed(approach, q[o + RESTITUTION_THRESHOLD])
+                                && events.tracker.isHit(approach(c), r[t + IMPULSE], threshold(c, k))) {
                     list(worker, c);
                 }
             } else {
@@ -422,7 +419,7 @@ public final class Touches {
     public void stamp(int from, int to) {
         for (int c = from; c < to; c++) {
             if (number[c] != ContactEvents.NONE) {
-                events.stamp(pair(c));
+                events.tracker.stamp(pair(c));
             }
         }
     }
@@ -507,7 +504,6 @@ public final class Touches {
                 threshold(c, k));
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 8L * rows.length
                 + hasUnkept.length

@@ -51,19 +51,14 @@ public final class ImpulseCache {
         this.state = state;
     }
 
-    /** Makes room for contacts. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room for contacts. The array that is compared grows last: a growth that fails is tried again. */
     public void ensure(int contacts) {
         if (next.length < contacts) {
-            long[] newIds = Arrays.copyOf(ids, contacts);
-            long[] newIdsBefore = Arrays.copyOf(idsBefore, contacts);
-            float[] newNormalImpulse = Arrays.copyOf(normalImpulse, contacts);
-            float[] newImpulseBefore = Arrays.copyOf(impulseBefore, contacts);
-            int[] newNext = Arrays.copyOf(next, contacts);
-            ids = newIds;
-            idsBefore = newIdsBefore;
-            normalImpulse = newNormalImpulse;
-            impulseBefore = newImpulseBefore;
-            next = newNext;
+            ids = Arrays.copyOf(ids, contacts);
+            idsBefore = Arrays.copyOf(idsBefore, contacts);
+            normalImpulse = Arrays.copyOf(normalImpulse, contacts);
+            impulseBefore = Arrays.copyOf(impulseBefore, contacts);
+            next = Arrays.copyOf(next, contacts);
         }
         if (state.turning != null) {
             ensureRows();
@@ -73,14 +68,11 @@ public final class ImpulseCache {
     /** Makes room for the rows of the contacts for which there is room, so that circles can rotate. */
     public void ensureRows() {
         if (rows.length < ContactRows.of(next.length)) {
-            float[] newRowsBefore = Arrays.copyOf(rowsBefore, ContactRows.of(next.length));
-            float[] newRows = Arrays.copyOf(rows, ContactRows.of(next.length));
-            rowsBefore = newRowsBefore;
-            rows = newRows;
+            rowsBefore = Arrays.copyOf(rowsBefore, ContactRows.of(next.length));
+            rows = Arrays.copyOf(rows, ContactRows.of(next.length));
         }
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 28L * next.length + 8L * rows.length;
     }

@@ -31,12 +31,9 @@ public final class JointStates {
     public void ensure(int joints) {
         if (joints > serial.length) {
             int room = joints + (joints >> 1) + 16;
-            float[] newRows = Arrays.copyOf(rows, JointState.of(room));
-            long[] newBroken = Arrays.copyOf(broken, room);
-            int[] newSerial = Arrays.copyOf(serial, room);
-            rows = newRows;
-            broken = newBroken;
-            serial = newSerial;
+            rows = Arrays.copyOf(rows, JointState.of(room));
+            broken = Arrays.copyOf(broken, room);
+            serial = Arrays.copyOf(serial, room);
         }
     }
 

@@ -39,25 +39,19 @@ public final class PieceContacts {
     private float[] rowsSpare = new float[0];
     private int[] numbersSpare = new int[0];
 
-    /** Memory of the arrays. */
     long bytes() {
         return 4L * (2 * first.length + 2 * count.length + measured.length + surfaces.length + pieces.length)
                 + 4L * (rows.length + rowsSpare.length + numbers.length + numbersSpare.length);
     }
 
-    /** Makes room for circles. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room for circles. The array that is compared grows last: a growth that fails is tried again. */
     void ensure(int circles) {
         if (circles > count.length) {
-            int[] newFirst = Arrays.copyOf(first, circles);
-            int[] newFirstSpare = new int[circles];
-            int[] newCountSpare = new int[circles];
-            float[] newMeasured = new float[CircleRow.vector(circles)];
-            int[] newCount = Arrays.copyOf(count, circles);
-            first = newFirst;
-            firstSpare = newFirstSpare;
-            countSpare = newCountSpare;
-            measured = newMeasured;
-            count = newCount;
+            first = Arrays.copyOf(first, circles);
+            firstSpare = new int[circles];
+            countSpare = new int[circles];
+            measured = new float[CircleRow.vector(circles)];
+            count = Arrays.copyOf(count, circles);
         }
     }
 
@@ -65,10 +59,8 @@ public final class PieceContacts {
     public void ensureNext(int contacts) {
         if (PieceContactRow.of(contacts) > rowsSpare.length) {
             int room = contacts + (contacts >> 1) + 16;
-            int[] newNumbersSpare = new int[PieceContactRow.numbers(room)];
-            float[] newRowsSpare = new float[PieceContactRow.of(room)];
-            numbersSpare = newNumbersSpare;
-            rowsSpare = newRowsSpare;
+            numbersSpare = new int[PieceContactRow.numbers(room)];
+            rowsSpare = new float[PieceContactRow.of(room)];
         }
         if (PieceRow.of(contacts) > pieces.length) {
             pieces = new float[PieceRow.of(contacts + (contacts >> 1) + 16)];
@@ -142,10 +134,8 @@ public final class PieceContacts {
     /** Makes room for saved contacts. */
     void makeRoom(SavedPieceContacts from) {
         if (PieceContactRow.of(from.count) > rows.length) {
-            int[] newNumbers = Arrays.copyOf(numbers, PieceContactRow.numbers(from.count));
-            float[] newRows = Arrays.copyOf(rows, PieceContactRow.of(from.count));
-            numbers = newNumbers;
-            rows = newRows;
+            numbers = Arrays.copyOf(numbers, PieceContactRow.numbers(from.count));
+            rows = Arrays.copyOf(rows, PieceContactRow.of(from.count));
         }
     }
 

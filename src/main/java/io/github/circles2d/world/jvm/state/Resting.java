@@ -125,7 +125,6 @@ public final class Resting {
         proposed = true;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (place.length + cell.length + rank.length + last.length + unsettled.length);
         for (int k = 0; k < usedCount; k++) {
@@ -135,7 +134,6 @@ public final class Resting {
     }
 
     // ---- who rests
-    // --------------------------------------------------------------------------------------------------
 
     /** Before a step, of a version of what kinds sense: wakes the circles that it may change, and lets those rest that it does not. */
     public void settle(StepConstants k, int ofKinds) {
@@ -227,7 +225,6 @@ public final class Resting {
     }
 
     // ---- impulses
-    // -------------------------------------------------------------------------------------------------------
 
     /** Takes note that a circle that rests may get impulses in this step, or has some. */
     public void unsettle(int id) {
@@ -260,18 +257,14 @@ public final class Resting {
     }
 
     // ---- cells
-    // -----------------------------------------------------------------------------------------------------
 
     /** Makes room for ids. */
     public void ensure() {
         if (rank.length < state.slotOf.length) {
             int ids = state.slotOf.length;
-            float[] newPlace = Arrays.copyOf(place, CircleRow.vector(ids));
-            int[] newCell = Arrays.copyOf(cell, CELL * ids);
-            int[] newRank = Arrays.copyOf(rank, ids);
-            place = newPlace;
-            cell = newCell;
-            rank = newRank;
+            place = Arrays.copyOf(place, CircleRow.vector(ids));
+            cell = Arrays.copyOf(cell, CELL * ids);
+            rank = Arrays.copyOf(rank, ids);
         }
     }
 
@@ -380,7 +373,6 @@ public final class Resting {
     }
 
     // ---- searches
-    // ---------------------------------------------------------------------------------------------------
 
     /** Slots that a search has found. Each worker has its own. */
     public static final class Found {

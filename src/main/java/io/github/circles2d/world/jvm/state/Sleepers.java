@@ -112,7 +112,6 @@ public final class Sleepers {
         this.state = state;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (rests.length + start.length + moved.length + turnedInStep.length + first.length + links.length)
                 + 4L * (normal.length + rows.length + pieceCount.length + suspects.length)
@@ -124,31 +123,21 @@ public final class Sleepers {
         return sum;
     }
 
-    /** Makes room for ids. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room for ids. The array that is compared grows last: a growth that fails is tried again. */
     void ensure(int ids) {
         if (first.length < ids) {
             int old = first.length;
-            boolean[] newBegins = Arrays.copyOf(begins, ids);
-            float[] newStart = Arrays.copyOf(start, CircleRow.vector(ids));
-            float[] newMoved = Arrays.copyOf(moved, CircleRow.vector(ids));
-            boolean[] newMovesOn = Arrays.copyOf(movesOn, ids);
-            int[] newTurnedInStep = Arrays.copyOf(turnedInStep, ids);
-            int[] newRests = Arrays.copyOf(rests, RESTS * ids);
-            int[] newFirst = Arrays.copyOf(first, ids);
-            Arrays.fill(newFirst, old, ids, NONE);
-            float[][] newPieceRows = Arrays.copyOf(pieceRows, ids);
-            int[][] newPieceNumbers = Arrays.copyOf(pieceNumbers, ids);
-            int[] newPieceCount = Arrays.copyOf(pieceCount, ids);
-            begins = newBegins;
-            start = newStart;
-            moved = newMoved;
-            movesOn = newMovesOn;
-            turnedInStep = newTurnedInStep;
-            rests = newRests;
-            pieceRows = newPieceRows;
-            pieceNumbers = newPieceNumbers;
-            pieceCount = newPieceCount;
-            first = newFirst;
+            begins = Arrays.copyOf(begins, ids);
+            start = Arrays.copyOf(start, CircleRow.vector(ids));
+            moved = Arrays.copyOf(moved, CircleRow.vector(ids));
+            movesOn = Arrays.copyOf(movesOn, ids);
+            turnedInStep = Arrays.copyOf(turnedInStep, ids);
+            rests = Arrays.copyOf(rests, RESTS * ids);
+            pieceRows = Arrays.copyOf(pieceRows, ids);
+            pieceNumbers = Arrays.copyOf(pieceNumbers, ids);
+            pieceCount = Arrays.copyOf(pieceCount, ids);
+            first = Arrays.copyOf(first, ids);
+            Arrays.fill(first, old, ids, NONE);
         }
     }
 
@@ -165,7 +154,6 @@ public final class Sleepers {
     }
 
     // ---- who sleeps
-    // ---------------------------------------------------------------------------------------------------
 
     /** A circle that is awake begins anew to come to rest. */
     public void restart(int slot) {
@@ -201,7 +189,6 @@ public final class Sleepers {
     }
 
     // ---- of a step
-    // ----------------------------------------------------------------------------------------------------
 
     /** Before some slots move. */
     public void noteStarts(int from, int to) {
@@ -266,7 +253,6 @@ public final class Sleepers {
     }
 
     // ---- impulses
-    // -----------------------------------------------------------------------------------------------------
 
     /** The number of impulses. */
     public int impulses() {
@@ -278,10 +264,8 @@ public final class Sleepers {
         int need = used + more;
         if (normal.length < need) {
             int c = need + (need >> 1);
-            int[] newLinks = Arrays.copyOf(links, LINKS * c);
-            float[] newNormal = Arrays.copyOf(normal, c);
-            links = newLinks;
-            normal = newNormal;
+            links = Arrays.copyOf(links, LINKS * c);
+            normal = Arrays.copyOf(normal, c);
         }
         if (state.turning != null) {
             ensureRows();
@@ -397,7 +381,6 @@ public final class Sleepers {
     }
 
     // ---- pieces
-    // -------------------------------------------------------------------------------------------------------
 
     /** Keeps the contacts of a slot with pieces, so many from one on. */
     public void keepPieces(int id, int from, int many, PieceContacts contacts) {
@@ -436,7 +419,6 @@ public final class Sleepers {
     }
 
     // ---- whom to look at
-    // ---------------------------------------------------------------------------------------------
 
     /** The balance of a circle may be another in the next step. */
     public void suspect(int id) {
@@ -468,7 +450,6 @@ public final class Sleepers {
     }
 
     // ---- state
-    // --------------------------------------------------------------------------------------------------------
 
     /** Saves the circle with an id as circle k. */
     void save(int id, SavedState into, int k) {

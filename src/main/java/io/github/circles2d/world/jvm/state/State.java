@@ -163,7 +163,6 @@ public final class State implements ContactEvents.Sleepers {
     private int[] firstCachedSpare = new int[0];
     private boolean[] freshSpare = new boolean[0];
 
-    /** Memory of the arrays. */
     public long bytes() {
         // twice: 4 floats of circle, motion and traits, id, firstCached, fresh; once: load, bounce, room, plan,
         // motionClamp
@@ -180,7 +179,7 @@ public final class State implements ContactEvents.Sleepers {
         return capacity;
     }
 
-    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room. The array that is compared grows last: a growth that fails is tried again. */
     public void ensure(int circles) {
         if (circles > capacity) {
             int c = Math.max(circles, capacity + (capacity >> 1));
@@ -190,40 +189,23 @@ public final class State implements ContactEvents.Sleepers {
             if (pieces != null) {
                 pieces.ensure(c);
             }
-            float[] newCircle = Arrays.copyOf(circle, CircleRow.of(c));
-            float[] newMotion = Arrays.copyOf(motion, CircleRow.of(c));
-            float[] newTraits = Arrays.copyOf(traits, CircleRow.of(c));
-            int[] newId = Arrays.copyOf(id, c);
-            int[] newFirstCached = Arrays.copyOf(firstCached, c);
-            boolean[] newFresh = Arrays.copyOf(fresh, c);
-            float[] newLoad = new float[CircleRow.of(c)];
-            float[] newWallBounce = new float[CircleRow.vector(c)];
-            float[] newRoom = new float[c];
-            float[] newPlan = new float[CircleRow.vector(c)];
-            float[] newMotionClamp = new float[CircleRow.of(c)];
-            float[] newCircleSpare = new float[CircleRow.of(c)];
-            float[] newMotionSpare = new float[CircleRow.of(c)];
-            float[] newTraitsSpare = new float[CircleRow.of(c)];
-            int[] newIdSpare = new int[c];
-            int[] newFirstCachedSpare = new int[c];
-            boolean[] newFreshSpare = new boolean[c];
-            circle = newCircle;
-            motion = newMotion;
-            traits = newTraits;
-            id = newId;
-            firstCached = newFirstCached;
-            fresh = newFresh;
-            load = newLoad;
-            wallBounce = newWallBounce;
-            room = newRoom;
-            plan = newPlan;
-            motionClamp = newMotionClamp;
-            circleSpare = newCircleSpare;
-            motionSpare = newMotionSpare;
-            traitsSpare = newTraitsSpare;
-            idSpare = newIdSpare;
-            firstCachedSpare = newFirstCachedSpare;
-            freshSpare = newFreshSpare;
+            circle = Arrays.copyOf(circle, CircleRow.of(c));
+            motion = Arrays.copyOf(motion, CircleRow.of(c));
+            traits = Arrays.copyOf(traits, CircleRow.of(c));
+            id = Arrays.copyOf(id, c);
+            firstCached = Arrays.copyOf(firstCached, c);
+            fresh = Arrays.copyOf(fresh, c);
+            load = new float[CircleRow.of(c)];
+            wallBounce = new float[CircleRow.vector(c)];
+            room = new float[c];
+            plan = new float[CircleRow.vector(c)];
+            motionClamp = new float[CircleRow.of(c)];
+            circleSpare = new float[CircleRow.of(c)];
+            motionSpare = new float[CircleRow.of(c)];
+            traitsSpare = new float[CircleRow.of(c)];
+            idSpare = new int[c];
+            firstCachedSpare = new int[c];
+            freshSpare = new boolean[c];
             capacity = c;
         }
     }
@@ -404,7 +386,6 @@ public final class State implements ContactEvents.Sleepers {
     }
 
     // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     /** A field of a circle has changed. */
     private void changed(CircleField field, int circleId) {

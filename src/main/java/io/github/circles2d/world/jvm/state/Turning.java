@@ -57,30 +57,21 @@ public final class Turning {
         this.state = state;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return (2 * (4 + 4 + 4 * ContactRows.OF_WALLS) + 16 + 4L * KindSurface.STRIDE) * angle.length;
     }
 
-    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room. The array that is compared grows last: a growth that fails is tried again. */
     void ensure(int circles) {
         if (KindSurface.of(circles) > circleSurfaces.length) {
-            int[] newAngle = Arrays.copyOf(angle, circles);
-            float[] newAngularVelocity = Arrays.copyOf(angularVelocity, circles);
-            float[] newWallRows = Arrays.copyOf(wallRows, ContactRows.ofWalls(circles));
-            int[] newAngleSpare = new int[circles];
-            float[] newAngularVelocitySpare = new float[circles];
-            float[] newWallRowsSpare = new float[ContactRows.ofWalls(circles)];
-            float[] newSpin = new float[CircleRow.of(circles)];
-            float[] newCircleSurfaces = new float[KindSurface.of(circles)];
-            angle = newAngle;
-            angularVelocity = newAngularVelocity;
-            wallRows = newWallRows;
-            angleSpare = newAngleSpare;
-            angularVelocitySpare = newAngularVelocitySpare;
-            wallRowsSpare = newWallRowsSpare;
-            spin = newSpin;
-            circleSurfaces = newCircleSurfaces;
+            angle = Arrays.copyOf(angle, circles);
+            angularVelocity = Arrays.copyOf(angularVelocity, circles);
+            wallRows = Arrays.copyOf(wallRows, ContactRows.ofWalls(circles));
+            angleSpare = new int[circles];
+            angularVelocitySpare = new float[circles];
+            wallRowsSpare = new float[ContactRows.ofWalls(circles)];
+            spin = new float[CircleRow.of(circles)];
+            circleSurfaces = new float[KindSurface.of(circles)];
         }
     }
 

@@ -140,7 +140,6 @@ final class Crew {
     }
 
     // ---- the caller
-    // -----------------------------------------------------------------------------------------------------
 
     /** How many workers a run has if so many are asked for: 1 in a pause, and fewer if the system has no more threads. */
     int workers(int asked) {
@@ -246,7 +245,6 @@ final class Crew {
     }
 
     // ---- parts
-    // -----------------------------------------------------------------------------------------------------------
 
     private static int place(int worker) {
         return APART * (worker + 1);
@@ -294,7 +292,6 @@ final class Crew {
     }
 
     // ---- waiting
-    // -----------------------------------------------------------------------------------------------------
 
     /**
      * The caller's thread waits for a worker's part of a stage, another thread for the stage behind one; nanos: how long to look before
@@ -353,7 +350,6 @@ final class Crew {
     }
 
     // ---- threads
-    // -----------------------------------------------------------------------------------------------------
 
     /** Starts threads that are not there yet; returns how many there are then, which is fewer if the system refuses. */
     private int start(int many) {

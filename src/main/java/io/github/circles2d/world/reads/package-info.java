@@ -1,2 +1,0 @@
-/** The calls that read circles. Not part of the public API. */
-package io.github.circles2d.world.reads;
