@@ -236,9 +236,7 @@ void solveAll(World *w, local Tile *t) {
 #pragma unroll 1
             for (int tile = group; tile < tiles; tile += groups) {
                 if (tiles > groups) takeTile(w, t, tile, false);
-#ifdef TURNING
-                w->relaxed = subStep;
-#endif
+                IF_TURNING(w->relaxed = subStep;)
                 if (relaxing) {
                     relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3, several);
                 } else {
@@ -308,10 +306,8 @@ bool reportAll(const World *w, bool sensing) {
 // compute unit, with 128 registers and many spills.
 kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps DECIDING_PARAMETERS) {
     World w = WORLD;
-#ifdef RECORDING
-    RECORD_IN(w);
-    REPORT_IN(w);
-#endif
+    IF_RECORDING(RECORD_IN(w);)
+    IF_RECORDING(REPORT_IN(w);)
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles
     w.k.tiled = 1;

@@ -295,9 +295,7 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
 #ifdef RECORDING
     if (w->recording.pieces) {
         float slid = 0.0f;
-#ifdef TURNING
-        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, before - surface, spin);
-#endif
+        IF_TURNING(slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, before - surface, spin);)
         notePieceVisit(w, k, c, m->DISPLACEMENT, g, vnBefore, impulse + change, slid, surface);
     }
 #endif
@@ -311,9 +309,7 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
     m->VX += nx * change;
     m->VY += ny * change;
     w->push[k].PUSH_NORMAL = visited.normalImpulse;
-#ifdef TURNING
-    if (bounces) visitPieceRows(w, k, traits.TRAIT_KIND, g, along, &visited, bounce, m, turning);
-#endif
+    IF_TURNING(if (bounces) visitPieceRows(w, k, traits.TRAIT_KIND, g, along, &visited, bounce, m, turning);)
 }
 
 // The biased pass over the pieces of a circle. before: velocity before any impulse.
@@ -352,9 +348,7 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
     float gap = g.MEASURED_GAP;
     float bounce = w->standing[k].STANDING_BOUNCE;
     bool held = false;
-#ifdef TURNING
-    held = rowsHold(w->pieceRows[k]);
-#endif
+    IF_TURNING(held = rowsHold(w->pieceRows[k]);)
     if (gap > 0.0f && !(push.PUSH_NORMAL > 0.0f) && !(bounce > 0.0f) && !held) return;
     int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
     float2 surface =
@@ -365,17 +359,13 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
     float uy = m->VY - surface.y;
     float vn = nx * ux + ny * uy;
     Found f = foundOneBody(s, gap, c.RADIUS, restitutionAt(w, restitution, traits.TRAIT_KIND), s->thresholdRate, push.PUSH_NORMAL, loaded);
-#ifdef TURNING
-    f.held = held;
-#endif
+    IF_TURNING(f.held = held;)
     Visited visited;
     relaxOneBody(s, &f, bounce, vn, &visited);
 #ifdef RECORDING
     if (w->recording.pieces) {
         float slid = 0.0f;
-#ifdef TURNING
-        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, (float2)(ux, uy), turning->s);
-#endif
+        IF_TURNING(slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, (float2)(ux, uy), turning->s);)
         notePieceVisit(w, k, c, m->DISPLACEMENT, g, vn, visited.leaves ? 0.0f : visited.impulse, slid, surface);
     }
 #endif
@@ -384,9 +374,7 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
         m->VY += ny * visited.impulse;
         w->push[k].PUSH_NORMAL = bounce > 0.0f ? 0.0f : visited.normalImpulse; // that of a bounce is not kept
     }
-#ifdef TURNING
-    visitPieceRows(w, k, traits.TRAIT_KIND, g, nx * uy - ny * ux, &visited, bounce, m, turning);
-#endif
+    IF_TURNING(visitPieceRows(w, k, traits.TRAIT_KIND, g, nx * uy - ny * ux, &visited, bounce, m, turning);)
 }
 
 // The relaxing pass over the pieces of a circle, behind movePieces.
@@ -576,9 +564,7 @@ float2 movePieces(const World *w, int slot, float4 c, float2 from, float2 to) {
 // Ends the step; all goes home.
 void finalizePieces(const World *w, int slot) {
     int2 own = w->pieces[slot];
-#ifdef SLEEPING
-    if (own.PIECES_COUNT < 0) own.PIECES_COUNT = ~own.PIECES_COUNT; // see keepPieces
-#endif
+    IF_SLEEPING(if (own.PIECES_COUNT < 0) own.PIECES_COUNT = ~own.PIECES_COUNT;) // see keepPieces
     w->homePieces[slot] = own;
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {

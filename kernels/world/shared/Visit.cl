@@ -11,9 +11,7 @@ typedef struct {
     float normalImpulse;
     float bounce; // in the relaxing pass: target speed from the biased pass
     bool loaded;  // whether one of its circles is
-#ifdef TURNING
-    bool held; // see Found
-#endif
+    IF_TURNING(bool held;) // see Found
 } Pair;
 
 // Contacts wait for each other only in visitPair: all else comes before.
@@ -39,9 +37,7 @@ INLINE Found foundPair(const StepConstants *k, const Pair *p) {
     f.mass = p->mass;
     f.normalImpulse = p->normalImpulse;
     f.loaded = p->loaded;
-#ifdef TURNING
-    f.held = p->held;
-#endif
+    IF_TURNING(f.held = p->held;)
     return f;
 }
 
@@ -61,9 +57,7 @@ INLINE float readyToSolve(const StepConstants *k, const Pair *p, float2 before, 
     f.halfFall = halfFall(dotf(p->nx, p->ny, fall.x, fall.y), p->invMassA, p->invMassB);
     beginVisit(p, v);
     makeReadyToSolve(k, contactSoftness(k), &f, &v->ready);
-#ifdef SLEEPING
-    v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);
-#endif
+    IF_SLEEPING(v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);)
     return f.before;
 }
 
@@ -71,9 +65,7 @@ INLINE void readyToRelax(const StepConstants *k, const Pair *p, Visit *v) {
     Found f = foundPair(k, p);
     beginVisit(p, v);
     makeReadyToRelax(k, &f, p->bounce, &v->ready);
-#ifdef SLEEPING
-    v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);
-#endif
+    IF_SLEEPING(v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);)
 }
 
 INLINE void visitPair(const Visit *v, float2 va, float2 vb, bool relaxing, Visited *visited) {

@@ -84,17 +84,13 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeFirstCached[slot] = FRESH;
             w.slotOf[circleId] = slot;
             w.fields[circleId] = initial;
-#ifdef OWN_MOTION
-            w.ownMotion[circleId] = INITIAL_MOTION;
-#endif
+            IF_OWN_MOTION(w.ownMotion[circleId] = INITIAL_MOTION;)
 #ifdef TURNING
             w.homeTurn[slot] = (int2)(0);
             w.homeWallRows[slot] = (WallRows)(0.0f);
             w.homeOwn[slot] = INITIAL_OWN;
 #endif
-#ifdef TERRAIN
-            w.homePieces[slot] = (int2)(0);
-#endif
+            IF_TERRAIN(w.homePieces[slot] = (int2)(0);)
             break;
         case COMMAND_REMOVE:
             w.homeId[slot] = NONE;
@@ -103,9 +99,7 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
         case COMMAND_POSITION:
             w.homeCircle[slot].xy = (float2)(a, b);
             w.homeMotion[slot].DISPLACEMENT = (float2)(0.0f);
-#ifdef TERRAIN
-            w.homePieces[slot] = (int2)(0);
-#endif
+            IF_TERRAIN(w.homePieces[slot] = (int2)(0);)
             break;
         case COMMAND_VELOCITY:
             w.homeMotion[slot].VELOCITY = (float2)(a, b);
@@ -114,12 +108,8 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeCircle[slot].RADIUS = a;
             w.homeFirstCached[slot] = FRESH;
             w.homeTraits[slot].WALLS = (float2)(0.0f);
-#ifdef TURNING
-            w.homeWallRows[slot] = (WallRows)(0.0f);
-#endif
-#ifdef TERRAIN
-            w.homePieces[slot] = (int2)(0);
-#endif
+            IF_TURNING(w.homeWallRows[slot] = (WallRows)(0.0f);)
+            IF_TERRAIN(w.homePieces[slot] = (int2)(0);)
             break;
         case COMMAND_GROW:
             w.homeCircle[slot].RADIUS = a;
@@ -129,12 +119,8 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeTraits[slot].INVERSE_MASS = inverseMass(a);
             w.homeFirstCached[slot] = FRESH;
             w.homeTraits[slot].WALLS = (float2)(0.0f);
-#ifdef TURNING
-            w.homeWallRows[slot] = (WallRows)(0.0f);
-#endif
-#ifdef TERRAIN
-            w.homePieces[slot] = (int2)(0);
-#endif
+            IF_TURNING(w.homeWallRows[slot] = (WallRows)(0.0f);)
+            IF_TERRAIN(w.homePieces[slot] = (int2)(0);)
             break;
         case COMMAND_RESTITUTION:
             w.homeTraits[slot].RESTITUTION = a;
@@ -184,10 +170,8 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             ((global int *) (w.fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
             break;
         }
-#ifdef SLEEPING
-        if (wakes || record[COMMAND_OPCODE] == COMMAND_ADD) w.homeSleep[slot] = restarted(w.homeCircle[slot], w.homeMotion[slot]);
-        changed[2 * r + 1] = changedBehind(record, w.homeCircle[slot]);
-#endif
+        IF_SLEEPING(if (wakes || record[COMMAND_OPCODE] == COMMAND_ADD) w.homeSleep[slot] = restarted(w.homeCircle[slot], w.homeMotion[slot]);)
+        IF_SLEEPING(changed[2 * r + 1] = changedBehind(record, w.homeCircle[slot]);)
     }
 }
 

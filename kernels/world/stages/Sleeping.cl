@@ -27,9 +27,7 @@ int responseAt(const World *w, int slot, int other) {
 
 // Whether two circles would meet, if one of them moves.
 bool wouldMeet(const World *w, int slot, int other) {
-#ifdef JOINTS
-    if (areParted(w, w->id[slot], w->id[other])) return false;
-#endif
+    IF_JOINTS(if (areParted(w, w->id[slot], w->id[other])) return false;)
     return responseAt(w, slot, other) == PAIR_SOLID;
 }
 
@@ -325,9 +323,7 @@ bool takesAlongBehind(const World *w, const JointVisit *v, int id) {
     if (id == NONE) return false;
     int slot = w->slotOf[id];
     bool turns = false;
-#ifdef TURNING
-    turns = as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;
-#endif
+    IF_TURNING(turns = as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;)
     return takesAlong(v, w->homeCircle[slot], w->homeMotion[slot].VELOCITY, turns);
 }
 
@@ -453,9 +449,7 @@ bool wakeSlot(const World *w, int slot, int ring) {
     float own = inverseMass(c.MASS);
     w->sleep[slot] = (int4)(0, as_int(0.0f - m.DX), as_int(0.0f - m.DY), 0);
     w->traits[slot].INVERSE_MASS = own;
-#ifdef TURNING
-    w->inverseInertia[slot] = own * w->surfaces[SURFACE_STRIDE * w->fields[w->id[slot]].kind + SURFACE_INERTIA];
-#endif
+    IF_TURNING(w->inverseInertia[slot] = own * w->surfaces[SURFACE_STRIDE * w->fields[w->id[slot]].kind + SURFACE_INERTIA];)
     return describeCircle(w, slot, w->id[slot], c, m, own);
 }
 
@@ -470,12 +464,8 @@ bool wakes(const World *w, int slot) {
     Pressed p = {sums.x, sums.y, sums.z, sums.w};
     pressByWalls(w, slot, own, scale, &p);
     bool moved = wallsMoveNear(w, 0, c.x, c.RADIUS, w->k.minX, w->k.maxX) || wallsMoveNear(w, 1, c.y, c.RADIUS, w->k.minY, w->k.maxY);
-#ifdef TURNING
-    moved = moved || (w->surfaces[SURFACE_OWN] != 0.0f && w->own[slot].OWN_TORQUE != 0.0f);
-#endif
-#ifdef TERRAIN
-    if (pressByPieces(w, slot, own, scale, &p)) moved = true;
-#endif
+    IF_TURNING(moved = moved || (w->surfaces[SURFACE_OWN] != 0.0f && w->own[slot].OWN_TORQUE != 0.0f);)
+    IF_TERRAIN(if (pressByPieces(w, slot, own, scale, &p)) moved = true;)
     float unit = unitOf(range);
     float load = fromFixed(p.load, unit);
     float2 g = gainOf(w, w->id[slot], own);
@@ -667,9 +657,7 @@ kernel __attribute__((reqd_work_group_size(SLEEPING_GROUP, 1, 1))) void sleeping
             passOnBetween(&w, jointAt(&w, place), ring, to, &count);
         }
 #endif
-#ifdef BODIES
-        for (int i = item; i < touchedCount && !idle; i += SLEEPING_GROUP) reachByBody(&w, rowOfSleeper(touched, i), to, &count);
-#endif
+        IF_BODIES(for (int i = item; i < touchedCount && !idle; i += SLEEPING_GROUP) reachByBody(&w, rowOfSleeper(touched, i), to, &count);)
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         woken = count;
         for (int i = item; i < woken; i += SLEEPING_GROUP) {
@@ -710,9 +698,7 @@ void keepImpulses(const World *w, int slot) {
             int place = atomic_inc(&w->status[KEPT_COUNT]);
             if (place < w->contactRoom) {
                 w->kept[place] = (int4)(slot, entry.CACHED_HIGHER_ID, as_int(as_float(entry.CACHED_IMPULSE) * w->warmScale), 0);
-#ifdef TURNING
-                w->keptRows[place] = w->rowCache[k] * w->warmScale;
-#endif
+                IF_TURNING(w->keptRows[place] = w->rowCache[k] * w->warmScale;)
             }
         }
         k = entry.CACHED_NEXT;
@@ -730,9 +716,7 @@ kernel void sleeping_keep(WORLD_PARAMETERS) {
 void restoreImpulse(const World *w, int k) {
     int4 entry = w->kept[k];
     int place = w->status[CONTACTS] + k;
-#ifdef TURNING
-    w->rowCache[place] = w->keptRows[k];
-#endif
+    IF_TURNING(w->rowCache[place] = w->keptRows[k];)
     storeImpulse(w, place, w->homeFirstCached + entry.x, entry.y, as_float(entry.z));
 }
 
@@ -742,9 +726,7 @@ void restoreImpulse(const World *w, int k) {
 bool isRestless(const World *w, int slot) {
     float4 m = w->homeMotion[slot];
     bool moves = m.VX != 0.0f || m.VY != 0.0f;
-#ifdef TURNING
-    moves = moves || as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;
-#endif
+    IF_TURNING(moves = moves || as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;)
     return moves || (isAsleep(w->homeSleep[slot].REST) && w->homeSleep[slot].REST != SLEEP_ASLEEP);
 }
 
@@ -774,9 +756,7 @@ void restCircle(const World *w, int slot) {
     float gain_ = lengthf(g.x, g.y);
     global const float *kind = w->kindSleep + KIND_SLEEP_STRIDE * w->fields[id].kind;
     float damping = kind[KIND_SLEEP_DAMPING];
-#ifdef OWN_MOTION
-    damping = orOfKind(w->ownMotion[id].OWN_DAMPING, damping);
-#endif
+    IF_OWN_MOTION(damping = orOfKind(w->ownMotion[id].OWN_DAMPING, damping);)
     bool mayRest = (gain_ > 0.0f || damping > 0.0f) && kind[KIND_SLEEP_AWAKE] == 0.0f && w->waking[slot].WAKING_SPEED == 0;
 #ifdef TURNING
     mayRest = mayRest && !(w->surfaces[SURFACE_OWN] != 0.0f && w->homeOwn[slot].OWN_TORQUE != 0.0f) &&
@@ -795,9 +775,7 @@ void restCircle(const World *w, int slot) {
     w->homeSleep[slot] = (int4)(SLEEP_ASLEEP, as_int(g.x * w->k.inverseH), as_int(g.y * w->k.inverseH), SLEEP_NO_OFFSET);
     w->homeMotion[slot].VELOCITY = (float2)(0.0f);
     w->homeTraits[slot].INVERSE_MASS = 0.0f;
-#ifdef TURNING
-    w->homeTurn[slot].ANGULAR_VELOCITY = 0;
-#endif
+    IF_TURNING(w->homeTurn[slot].ANGULAR_VELOCITY = 0;)
 }
 
 // Behind the step and what it reports. Index space: any; work-items take impulses and slots in turn.

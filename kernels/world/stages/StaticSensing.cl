@@ -11,9 +11,7 @@
 
 // Whether a static circle senses others that are static.
 bool sensesStatic(const World *w, const Sensed *s, int part) {
-#ifdef SLEEPING
-    if (isAsleep(w->homeSleep[s->slot].REST)) return false;
-#endif
+    IF_SLEEPING(if (isAsleep(w->homeSleep[s->slot].REST)) return false;)
     return s->isStatic && (part & MEETS_STATIC) != 0;
 }
 

@@ -19,9 +19,7 @@ global float2 *touchSlips(const World *w) {
 #endif
 
 void clearSlip(const World *w, int c) {
-#ifdef TURNING
-    touchSlips(w)[c] = (float2)(0.0f);
-#endif
+    IF_TURNING(touchSlips(w)[c] = (float2)(0.0f);)
 }
 
 // When they approached fastest.
@@ -38,9 +36,7 @@ void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n
     bool touching = impulse > 0.0f || separation <= 0.0f;
     if (!touching || !(approach > t[0].x)) return;
     t[0].x = approach;
-#ifdef TURNING
-    touchSlips(w)[c].y = touchSlips(w)[c].x;
-#endif
+    IF_TURNING(touchSlips(w)[c].y = touchSlips(w)[c].x;)
     if (!isFastApproach(approach, w->k.dt, w->base[c].RADII)) return;
     uint lower = w->pair[c].LOWER;
     float4 own = w->circle[lower];
@@ -102,9 +98,7 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     for (int k = first; k < 2 * circles; k += (int) get_global_size(0)) {
         wallTouch[k] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     }
-#ifdef TERRAIN
-    for (int slot = first; slot < circles; slot += (int) get_global_size(0)) beginPieceTouches(&w, slot);
-#endif
+    IF_TERRAIN(for (int slot = first; slot < circles; slot += (int) get_global_size(0)) beginPieceTouches(&w, slot);)
 }
 
 // A visit of the wall of an axis. x, d: coordinate and displacement; speed: along the axis, of the approach; from, to: before and after the
@@ -340,10 +334,8 @@ void tellOfPiecesOf(const World *w, int slot) {
 void tellOfWalls(const World *w, int first, int each) {
     int circles = w->recording.walls ? w->circles : 0;
     for (int slot = first; slot < circles; slot += each) tellOfWallsOf(w, slot);
-#ifdef TERRAIN
-    circles = w->recording.pieces ? w->circles : 0;
-    for (int slot = first; slot < circles; slot += each) tellOfPiecesOf(w, slot);
-#endif
+    IF_TERRAIN(circles = w->recording.pieces ? w->circles : 0;)
+    IF_TERRAIN(for (int slot = first; slot < circles; slot += each) tellOfPiecesOf(w, slot);)
 }
 
 // Tells of pairs and walls after the step. Index space: any number of work-items, which take contacts and slots in turn.

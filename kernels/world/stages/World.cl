@@ -21,7 +21,7 @@
 #define OR_FIXED(k, threshold) (threshold)
 #endif
 
-// A parameter, or an argument, that is there if circles can rotate.
+// IF_TURNING(text), and so for each feature, from the host: a statement or a member that is there if circles can rotate. AND_TURNING: a parameter or an argument.
 #ifdef TURNING
 #define AND_TURNING(parameter) , parameter
 #else
@@ -230,12 +230,8 @@ bool hasOneLevel(const World *w) { return w->levels->usedCount == 1; }
 
 // By tiles: whether between passes circles are as Solver.cl has them, since others than like contacts visit them: cross contacts, joints, bodies.
 bool sharesPasses(const World *w) {
-#ifdef BODIES
-    return true;
-#endif
-#ifdef JOINTS
-    if (w->joints->any) return true;
-#endif
+    IF_BODIES(return true;)
+    IF_JOINTS(if (w->joints->any) return true;)
     return !hasOneLevel(w);
 }
 

@@ -53,6 +53,10 @@ final class WorldTables {
     /** What kernels may be compiled for, in the order in which the struct World has the arrays. */
     private static final List<String> FEATURES = List.of(TURNING, TERRAIN, SLEEPING, OWN_MOTION, JOINTS);
 
+    /** Of which kernels have a macro each, {@code IF_TURNING(text)}: the text, or nothing. */
+    private static final List<String> CONDITIONS =
+            List.of(TURNING, TERRAIN, SLEEPING, OWN_MOTION, JOINTS, "BODIES", "RECORDING");
+
     /** Macros that name all arrays, whether a kernel uses them or not. */
     static final Set<String> MACROS_OF_ALL_ARRAYS = macrosOfAllArrays();
 
@@ -258,7 +262,7 @@ final class WorldTables {
     /** A macro for each feature, {@code TURNING_ARRAYS} for TURNING, and then the initialiser. */
     private static String initialiser() {
         StringBuilder text = new StringBuilder();
-        for (String feature : List.of(TURNING, TERRAIN)) {
+        for (String feature : CONDITIONS) {
             String name = "#define IF_" + feature + "(text)";
             text.append("#ifdef " + feature + "\n" + name + " text\n#else\n" + name + "\n#endif\n");
         }
