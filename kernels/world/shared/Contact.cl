@@ -51,8 +51,7 @@ float effectiveMass(float invMassA, float invMassB) { return 1.0f / (invMassA + 
 float velocityChange(float normal, float invMass, float impulse) { return normal * (invMass * impulse); }
 
 // Returns whether there is a direction. base: difference of the bases; moved: of the displacements.
-INLINE bool measure(float baseX, float baseY, float movedX, float movedY, float radii, float *normalX, float *normalY,
-                    float *separation) {
+INLINE bool measure(float baseX, float baseY, float movedX, float movedY, float radii, float *normalX, float *normalY, float *separation) {
     float dx = baseX + movedX;
     float dy = baseY + movedY;
     float distance = lengthf(dx, dy);

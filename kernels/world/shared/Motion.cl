@@ -57,8 +57,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
 }
 
 // The same if no wall pushes the circle; false if a wall may begin to.
-INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, float2 *before,
-                              float2 *v) {
+INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, float2 *before, float2 *v) {
     const StepConstants *k = &w->k;
     *before = beforeImpulses(w, slot, invMass, m);
     float2 next = (float2)(afterImpulse(before->x, invMass, impulses.x), afterImpulse(before->y, invMass, impulses.y));

@@ -21,12 +21,10 @@ typedef struct {
     Ready ready;
 } Visit;
 
-#ifdef SLEEPING
-// One that sleeps is pushed as if it gave way: else a circle that lies on a heap would push the heap.
-float massOfPair(const World *w, int lower, int higher) {
-    return effectiveMass(inverseMass(w->circle[lower].MASS), inverseMass(w->circle[higher].MASS));
+// One that sleeps is pushed as if it gave way: else a circle that lies on a heap would push the heap. p: slots; inverse masses: in traits.
+float massOfPair(const World *w, uint2 p, float invMassA, float invMassB) {
+    return effectiveMass(awakeInverseMass(w->circle[p.LOWER], invMassA), awakeInverseMass(w->circle[p.HIGHER], invMassB));
 }
-#endif
 
 INLINE Found foundPair(const StepConstants *k, const Pair *p) {
     Found f;

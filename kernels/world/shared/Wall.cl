@@ -85,16 +85,19 @@ float relaxWall(const World *w, int axis, float x, float dx, float v, float r, f
     return v;
 }
 
+// Impulses of the rows of walls, of x in even, of y in odd; there are none if circles cannot rotate.
+INLINE WallRows wallRowsAt(const World *w, int slot) {
+#ifdef TURNING
+    return w->wallRows[slot];
+#else
+    return (WallRows)(0.0f);
+#endif
+}
+
 // Whether a wall acts, see actingImpulse. walls: impulses.
 bool wallsAct(const World *w, int slot, float2 walls) {
-    RowImpulses ofX = (RowImpulses)(0.0f);
-    RowImpulses ofY = (RowImpulses)(0.0f);
-#ifdef TURNING
-    WallRows rows = w->wallRows[slot];
-    ofX = rows.even;
-    ofY = rows.odd;
-#endif
-    return actingImpulse(fabs(walls.x), ofX) > 0.0f || actingImpulse(fabs(walls.y), ofY) > 0.0f;
+    WallRows rows = wallRowsAt(w, slot);
+    return actingImpulse(fabs(walls.x), rows.even) > 0.0f || actingImpulse(fabs(walls.y), rows.odd) > 0.0f;
 }
 
 #ifdef TURNING

@@ -131,10 +131,8 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             break;
         case COMMAND_DEPART:
             w.homeTraits[slot].KEPT_VELOCITY = w.homeMotion[slot].VELOCITY;
-            w.homeMotion[slot].VX = travelSpeed(w.homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]),
-                                             as_float(record[COMMAND_FOURTH]));
-            w.homeMotion[slot].VY = travelSpeed(w.homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]),
-                                             as_float(record[COMMAND_FIFTH]));
+            w.homeMotion[slot].VX = travelSpeed(w.homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]), as_float(record[COMMAND_FOURTH]));
+            w.homeMotion[slot].VY = travelSpeed(w.homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]), as_float(record[COMMAND_FIFTH]));
             break;
         case COMMAND_ARRIVE:
             w.homeCircle[slot].xy = (float2)(a, b);
@@ -216,11 +214,7 @@ kernel void commands_confine(global const int *homeId, global float4 *homeCircle
     int slot = (int) get_global_id(0);
     if (slot >= slots || homeId[slot] < 0) return;
     float4 c = homeCircle[slot];
-#ifdef SLEEPING
-    float edge = inverseMass(c.MASS) == 0.0f ? 0.0f : c.RADIUS;
-#else
-    float edge = homeTraits[slot].INVERSE_MASS == 0.0f ? 0.0f : c.RADIUS;
-#endif
+    float edge = awakeInverseMass(c, homeTraits[slot].INVERSE_MASS) == 0.0f ? 0.0f : c.RADIUS;
     float x = clampf(c.x, minX + marginAtWall(fromMinX, minX, edge), maxX - marginAtWall(fromMaxX, maxX, edge));
     float y = clampf(c.y, minY + marginAtWall(fromMinY, minY, edge), maxY - marginAtWall(fromMaxY, maxY, edge));
     if (x != c.x) {

@@ -134,12 +134,8 @@ void visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, bo
     float invLight = x->isLightLower ? p->invMassA : p->invMassB;
     float invHeavy = x->isLightLower ? p->invMassB : p->invMassA;
     float2 heavy = w->motion[x->heavy].VELOCITY;
-#ifdef SLEEPING
-    visit_->ready.mass = crossMass(inverseMass(w->circle[x->light].MASS), inverseMass(w->circle[x->heavy].MASS),
+    visit_->ready.mass = crossMass(awakeInverseMass(w->circle[x->light], invLight), awakeInverseMass(w->circle[x->heavy], invHeavy),
                                    crossShare(w->crossLoad[x->heavy])); // see massOfPair
-#else
-    visit_->ready.mass = crossMass(invLight, invHeavy, crossShare(w->crossLoad[x->heavy]));
-#endif
     visitPair(visit_, x->isLightLower ? *v : heavy, x->isLightLower ? heavy : *v, relaxing, visited);
     if (!visited->leaves && !visited->solved) {
         float separation = relaxing ? p->separation : p->separation + visited->vn * w->k.h;

@@ -51,11 +51,7 @@ int sheetKeyOfSlot(const World *w, int slot) {
     float4 c = w->homeCircle[slot];
     int level = levelOf(w, c.RADIUS);
     int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetOf(axisX(w, level), c.x), sheetOf(axisY(w, level), c.y)) : 0;
-#ifdef SLEEPING
-    float own = inverseMass(c.MASS); // who sleeps may wake within the step
-#else
-    float own = w->homeTraits[slot].INVERSE_MASS;
-#endif
+    float own = awakeInverseMass(c, w->homeTraits[slot].INVERSE_MASS); // who sleeps may wake within the step
     return key + (own == 0.0f ? 1 : 0);
 }
 

@@ -21,6 +21,13 @@ void takeTraits(const World *w, int joint, JointVisit *v) {
     v->traits[1] = traits[1];
 }
 
+void takeRows(const World *w, int joint, JointVisit *v) {
+    global const float4 *row = jointVectors(w, w->joints->rows) + 3 * joint;
+    for (int k = 0; k < 3; k++) v->row[k] = row[k];
+    v->kept[0] = keptOf(w, joint)[0];
+    v->kept[1] = keptOf(w, joint)[1];
+}
+
 void takeSpring(const World *w, JointVisit *v) {
     v->spring[0] = (float4)(0.0f);
     if (holds(v, HOLD_ELASTIC) || angularOf(v) == HOLD_TURN_ANGLE) {
@@ -41,7 +48,6 @@ bool jointRests(const World *w, int2 ends) {
            (ends.y == NONE || w->traits[ends.y].INVERSE_MASS == 0.0f);
 }
 
-float ownInverseMass(const World *w, int slot) { return inverseMass(w->circle[slot].MASS); }
 #ifdef TURNING
 float ownInverseInertia(const World *w, int slot) {
     return ownInverseMass(w, slot) * w->surfaces[SURFACE_STRIDE * w->fields[w->id[slot]].kind + SURFACE_INERTIA];
@@ -178,11 +184,8 @@ void takeAnchor(const World *w, int row, int boundary, JointEnd *e) {
 // What a joint is, and where its ends are.
 void takeJoint(const World *w, int place, int2 ends, int boundary, bool solving, JointVisit *v) {
     int joint = jointAt(w, place);
-    global const float4 *row = jointVectors(w, w->joints->rows) + 3 * joint;
-    for (int k = 0; k < 3; k++) v->row[k] = row[k];
     takeTraits(w, joint, v);
-    v->kept[0] = keptOf(w, joint)[0];
-    v->kept[1] = keptOf(w, joint)[1];
+    takeRows(w, joint, v);
     takeSpring(w, v);
     v->h = w->k.h;
     v->inverseH = w->k.inverseH;

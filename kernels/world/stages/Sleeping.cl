@@ -9,9 +9,6 @@
 
 #ifdef SLEEPING
 bool sleeps(const World *w, int slot) { return isAsleep(w->sleep[slot].REST); }
-#ifndef JOINTS
-float ownInverseMass(const World *w, int slot) { return inverseMass(w->circle[slot].MASS); }
-#endif
 
 // What gravity and a force add to a circle's speed in a sub-step, if nothing holds it.
 float ownGain(const World *w, int slot) {
@@ -200,10 +197,7 @@ kernel void sleeping_press(WORLD_PARAMETERS) {
 bool takeHeld(const World *w, int joint, JointVisit *v) {
     takeTraits(w, joint, v);
     if (*jointSerial(w, joint) != v->HOLD_SERIAL) return false;
-    global const float4 *row = jointVectors(w, w->joints->rows) + 3 * joint;
-    for (int k = 0; k < 3; k++) v->row[k] = row[k];
-    v->kept[0] = keptOf(w, joint)[0];
-    v->kept[1] = keptOf(w, joint)[1];
+    takeRows(w, joint, v);
     return true;
 }
 
@@ -386,23 +380,17 @@ float sideOfPush(float impulse, float nearer) { return impulse == 0.0f ? nearer 
 void pressByWalls(const World *w, int slot, float own, float scale, Pressed *p) {
     float2 walls = w->traits[slot].WALLS;
     float4 c = w->circle[slot];
-    RowImpulses ofX = (RowImpulses)(0.0f);
-    RowImpulses ofY = (RowImpulses)(0.0f);
-#ifdef TURNING
-    WallRows rows = w->wallRows[slot];
-    ofX = rows.even;
-    ofY = rows.odd;
-#endif
+    WallRows rows = wallRowsAt(w, slot);
     float sideX = sideOfPush(walls.x, wallSide(c.x, w->k.minX, w->k.maxX));
     float sideY = sideOfPush(walls.y, wallSide(c.y, w->k.minY, w->k.maxY));
-    float loadX = actingImpulse(fabs(walls.x), ofX);
-    float loadY = actingImpulse(fabs(walls.y), ofY);
-    addSpin(p, scale, ofX, own);
-    addSpin(p, scale, ofY, own);
-    p->x += toFixed(sideX * impulseAlongNormal(fabs(walls.x), ofX) / own, scale);
-    p->y += toFixed(loadX > 0.0f ? tangentAlong(0, sideX) * tangentImpulse(ofX) / own : 0.0f, scale);
-    p->y += toFixed(sideY * impulseAlongNormal(fabs(walls.y), ofY) / own, scale);
-    p->x += toFixed(loadY > 0.0f ? tangentAlong(1, sideY) * tangentImpulse(ofY) / own : 0.0f, scale);
+    float loadX = actingImpulse(fabs(walls.x), rows.even);
+    float loadY = actingImpulse(fabs(walls.y), rows.odd);
+    addSpin(p, scale, rows.even, own);
+    addSpin(p, scale, rows.odd, own);
+    p->x += toFixed(sideX * impulseAlongNormal(fabs(walls.x), rows.even) / own, scale);
+    p->y += toFixed(loadX > 0.0f ? tangentAlong(0, sideX) * tangentImpulse(rows.even) / own : 0.0f, scale);
+    p->y += toFixed(sideY * impulseAlongNormal(fabs(walls.y), rows.odd) / own, scale);
+    p->x += toFixed(loadY > 0.0f ? tangentAlong(1, sideY) * tangentImpulse(rows.odd) / own : 0.0f, scale);
     p->load += toFixed(loadX / own, scale);
     p->load += toFixed(loadY / own, scale);
 }

@@ -24,13 +24,8 @@ void startCircleAt(const World *w, int slot, float4 m, float4 l) {
     float2 before, bounce;
     bool loaded;
     IF_TURNING(Turning turning = turningOf(w, slot, t, w->surfaceSpeed[slot]);)
-    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce,
-                        &loaded AND_TURNING(&turning) AND_TURNING(w->spinImpulse[slot]));
-#ifdef RECORDING
-    if (w->recording.walls) {
-        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m AND_TURNING(&turning));
-    }
-#endif
+    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce, &loaded AND_TURNING(&turning) AND_TURNING(w->spinImpulse[slot]));
+    IF_RECORDING(noteWallsSolved(w, slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m AND_TURNING(&turning));)
     IF_TERRAIN(if (hasPieces(w, slot)) solvePieces(w, slot, c, t.RESTITUTION, before, loaded, &m AND_TURNING(&turning));)
     IF_TURNING(w->surfaceSpeed[slot] = turning.s;)
     IF_TURNING(keepWallRows(w, slot, &turning);)
@@ -61,11 +56,7 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
         float2 walls = t.WALLS;
         float2 moving = m.VELOCITY;
         relaxAtWalls(w, c, &m, &t, bounce, loaded > 0.0f AND_TURNING(&turning));
-#ifdef RECORDING
-        if (w->recording.walls) {
-            noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));
-        }
-#endif
+        IF_RECORDING(noteWallsRelaxed(w, slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));)
         IF_TURNING(keepWallRows(w, slot, &turning);)
         storeWalls(w, slot, walls, t.WALLS);
     }

@@ -72,6 +72,17 @@ bool refused(const World *w) {
     return (room | fast | crowded) != 0;
 }
 
+// As it is awake: one that sleeps has 0 in its traits. c: circle.
+float awakeInverseMass(float4 c, float inTraits) {
+#ifdef SLEEPING
+    return inverseMass(c.MASS);
+#else
+    return inTraits;
+#endif
+}
+
+float ownInverseMass(const World *w, int slot) { return inverseMass(w->circle[slot].MASS); }
+
 // Walls that move: the Java class WallMotion. wall: left, right, lower, upper.
 
 // Behind its last place, at the end of the sub-step.

@@ -51,11 +51,7 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
     IF_TURNING(Turning turning = turningOf(w, slot, t, s);)
     integrateVelocities(w, slot, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce,
                         &loaded AND_TURNING(&turning) AND_TURNING(spinSum));
-#ifdef RECORDING
-    if (w->recording.walls) {
-        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, sum, before, old, m AND_TURNING(&turning));
-    }
-#endif
+    IF_RECORDING(noteWallsSolved(w, slot, c, t.INVERSE_MASS, sum, before, old, m AND_TURNING(&turning));)
     IF_TERRAIN(if (atPieces) solvePieces(w, slot, c, t.RESTITUTION, before, loaded, &m AND_TURNING(&turning));)
     IF_TURNING(w->startSpin[slot] = turning.s;)
     IF_TURNING(keepWallRows(w, slot, &turning);)
@@ -81,11 +77,7 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
         IF_RECORDING(float2 moving = m.VELOCITY;)
         IF_TURNING(Turning turning = turningOf(w, slot, t, s);)
         relaxAtWalls(w, c, &m, &t, started.WALL_TARGETS, isLoaded(burden) AND_TURNING(&turning));
-#ifdef RECORDING
-        if (w->recording.walls) {
-            noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));
-        }
-#endif
+        IF_RECORDING(noteWallsRelaxed(w, slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));)
         atWall = hasWalls(w, c, t.WALLS);
         IF_TURNING(atWall = atWall || wallRowsHold(&turning);)
         IF_TERRAIN(if (atPieces) relaxPieces(w, slot, c, t.RESTITUTION, isLoaded(burden), &m AND_TURNING(&turning));)

@@ -352,11 +352,7 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
             }
             a->load[i] = c[n].xy;
             a->of.circle.radius[i] = c[n].RADIUS;
-#ifdef SLEEPING
-            a->of.circle.inverseMass[i] = inverseMass(c[n].MASS); // see massOfPair
-#else
-            a->of.circle.inverseMass[i] = t[n].INVERSE_MASS;
-#endif
+            a->of.circle.inverseMass[i] = awakeInverseMass(c[n], t[n].INVERSE_MASS); // see massOfPair
             a->of.circle.restitution[i] = t[n].RESTITUTION;
             a->of.circle.slot[i] = slot;
         }

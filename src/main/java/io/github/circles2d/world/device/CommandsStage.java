@@ -84,7 +84,7 @@ final class CommandsStage {
         kernels = withAll;
         apply = withAll.staged("commands_apply");
         confine = withAll.plain("commands_confine");
-        if (arrays.sleeping()) {
+        if (arrays.features().sleeping()) {
             wake = withAll.plain("commands_wake");
             if (changed == null) {
                 changed = session.allocate("changed circles", CHANGED_BYTES * LEAST_CAPACITY);

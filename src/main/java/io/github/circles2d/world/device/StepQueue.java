@@ -205,9 +205,9 @@ final class StepQueue {
                 reportsBehind,
                 reports && reader.isRecording(),
                 reports && reader.isSensing(),
-                arrays.turning(),
+                arrays.features().turning(),
                 stages.haveJoints(),
-                arrays.bodies(),
+                arrays.features().bodies(),
                 sleeping,
                 sleeping && waking > 0);
     }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
@@ -7,6 +8,8 @@ import io.github.circles2d.world.model.KindSleep;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
+import java.util.Arrays;
+import java.util.List;
 import java.util.function.Predicate;
 
 /**
@@ -255,6 +258,11 @@ public enum DeviceArray {
             return this == TILED_SLOT || this == TILED_CONTACT || this == TILED_COPY;
         }
 
+        /** Whether some of the arrays are there for a feature. */
+        boolean isOf(Features feature) {
+            return Arrays.stream(values).anyMatch(array -> array.index == this && array.feature() == feature);
+        }
+
         /** Bytes of an element of each array of the block, in a world with these features. */
         long elementBytes(Features features) {
             long sum = 0;
@@ -264,6 +272,10 @@ public enum DeviceArray {
             return sum;
         }
     }
+
+    /** Features that arrays are there for, in the order in which the struct World has these. */
+    static final List<Features> FEATURES = List.of(
+            Features.TURNING, Features.TERRAIN, Features.SLEEPING, Features.OWN_MOTION, Features.JOINTS);
 
     /** Floats before {@link #SURFACES} in the buffer of {@link #KIND_MOTION}: each buffer among the arguments costs time. */
     static final int SURFACES_AT = KindMotion.of(PairTable.KINDS);
@@ -307,38 +319,32 @@ public enum DeviceArray {
         return index.kept;
     }
 
-    /** Whether it is there only if circles can rotate. */
-    boolean turns() {
-        return ordinal() >= HOME_TURN.ordinal() && ordinal() < HOME_PIECES.ordinal();
-    }
-
-    /** Whether only worlds with terrain have it. */
-    boolean isOfTerrain() {
-        return ordinal() >= HOME_PIECES.ordinal() && ordinal() < HOME_SLEEP.ordinal();
-    }
-
-    /** Whether only worlds have it whose circles sleep. */
-    boolean isOfSleep() {
-        return ordinal() >= HOME_SLEEP.ordinal() && ordinal() < OWN_MOTION.ordinal();
-    }
-
-    /** Whether only worlds have it in which circles move in another way than those of their kind. */
-    boolean isOfOwnMotion() {
-        return this == OWN_MOTION;
-    }
-
-    /** Whether only worlds with joints have it. */
-    boolean isOfJoints() {
-        return ordinal() >= JOINTS.ordinal();
+    /** The feature that only worlds have which have this array, or {@link Features#NONE}. */
+    Features feature() {
+        if (ordinal() < HOME_TURN.ordinal()) {
+            return Features.NONE;
+        }
+        if (ordinal() < HOME_PIECES.ordinal()) {
+            return Features.TURNING;
+        }
+        if (ordinal() < HOME_SLEEP.ordinal()) {
+            return Features.TERRAIN;
+        }
+        return this == OWN_MOTION ? Features.OWN_MOTION : this == JOINTS ? Features.JOINTS : Features.SLEEPING;
     }
 
     /** Whether it has memory in a world with these features. */
     boolean isHeld(Features features) {
-        return (features.turning() || !turns())
-                && (features.terrain() || !isOfTerrain())
-                && (features.sleeping() || !isOfSleep())
-                && (features.ownMotion() || !isOfOwnMotion())
-                && (features.joints() || !isOfJoints());
+        return features.have(feature());
+    }
+
+    /** The bits of an element of a new circle, or contact, in a world that gets a feature. */
+    int[] initial() {
+        return switch (this) {
+            case HOME_OWN -> new int[] {CircleField.NONE, CircleField.NONE, 0, 0};
+            case OWN_MOTION -> FieldsStruct.initialMotion();
+            default -> new int[elementBytes() / Integer.BYTES];
+        };
     }
 
     /** The declaration as a parameter, or as a member of the struct World. */
@@ -348,16 +354,16 @@ public enum DeviceArray {
 
     /** Bytes of an element of each array that lies in the block before this one, in a world with these features. */
     long bytesBefore(Features features) {
-        return bytesBefore(array -> array.isHeld(features));
+        return bytesBefore(features::have);
     }
 
-    private long bytesBefore(Predicate<DeviceArray> counts) {
+    private long bytesBefore(Predicate<Features> counts) {
         long sum = 0;
         for (DeviceArray array : values) {
             if (array == this) {
                 break;
             }
-            sum += array.index == index && counts.test(array) ? array.elementBytes() : 0;
+            sum += array.index == index && counts.test(array.feature()) ? array.elementBytes() : 0;
         }
         return sum;
     }
@@ -370,12 +376,9 @@ public enum DeviceArray {
         if (index.block == null) {
             return kernelName;
         }
-        long before = bytesBefore(array -> array.isHeld(Features.NONE)
-                || turns() && array.turns()
-                || isOfTerrain() && array.isOfTerrain()
-                || isOfSleep() && array.isOfSleep());
-        long ofTurning = turns() ? 0 : bytesBefore(DeviceArray::turns);
-        long ofTerrain = isOfTerrain() ? 0 : bytesBefore(DeviceArray::isOfTerrain);
+        long before = bytesBefore(of -> of == Features.NONE || of == feature());
+        long ofTurning = bytesBefore(of -> of == Features.TURNING && of != feature());
+        long ofTerrain = bytesBefore(of -> of == Features.TERRAIN && of != feature());
         String bytes = before
                 + (ofTurning == 0 ? "" : " IF_TURNING(+ " + ofTurning + ")")
                 + (ofTerrain == 0 ? "" : " IF_TERRAIN(+ " + ofTerrain + ")");

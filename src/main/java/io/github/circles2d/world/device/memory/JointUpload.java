@@ -165,7 +165,7 @@ public final class JointUpload {
 
     /** Sends what is not there yet, where there is memory for it. */
     void send(DeviceArrays arrays) {
-        if (sent || !arrays.joints()) {
+        if (sent || !arrays.features().joints()) {
             return;
         }
         if (sentRoom != arrays.jointRoom().version()) {
@@ -202,8 +202,8 @@ public final class JointUpload {
             boolean some = sentRows != NEVER && sentRows == version - 1;
             int from = some ? tables.changedFrom : 0;
             int to = some ? tables.changedTo : tables.joints;
-            write(arrays, JointArray.ROWS, tables.rows, JointRow.of(from), JointRow.of(to));
-            write(arrays, JointArray.TRAITS, tables.traits, JointRow.traits(from), JointRow.traits(to));
+            arrays.write(JointArray.ROWS, tables.rows, JointRow.of(from), JointRow.of(to));
+            arrays.write(JointArray.TRAITS, tables.traits, JointRow.traits(from), JointRow.traits(to));
             sentRows = version;
         }
     }
@@ -211,10 +211,10 @@ public final class JointUpload {
     private void sendOrder(DeviceArrays arrays) {
         if (sentOrder != orderVersion) {
             checkOrder(arrays.idCapacity());
-            write(arrays, JointArray.ORDER, tables.order, 0, head.count);
-            write(arrays, JointArray.STARTS, tables.starts, 0, JointStep.BATCH_STRIDE * (head.batches + 1));
-            write(arrays, JointArray.SPLIT_IDS, tables.splitIds, 0, head.splitCircles);
-            write(arrays, JointArray.SPLIT_ENDS, tables.splitEnds, 0, JointArray.SPLIT_ENDS.words() * split());
+            arrays.write(JointArray.ORDER, tables.order, 0, head.count);
+            arrays.write(JointArray.STARTS, tables.starts, 0, JointStep.BATCH_STRIDE * (head.batches + 1));
+            arrays.write(JointArray.SPLIT_IDS, tables.splitIds, 0, head.splitCircles);
+            arrays.write(JointArray.SPLIT_ENDS, tables.splitEnds, 0, JointArray.SPLIT_ENDS.words() * split());
             sentOrder = orderVersion;
         }
     }
@@ -236,33 +236,20 @@ public final class JointUpload {
 
     private void sendSprings(DeviceArrays arrays) {
         if (sentSprings != springsVersion) {
-            write(arrays, JointArray.SPRINGS, tables.springs, 0, JointSpring.of(tables.springCount));
+            arrays.write(JointArray.SPRINGS, tables.springs, 0, JointSpring.of(tables.springCount));
             sentSprings = springsVersion;
         }
         if (sentAnchors != anchorsVersion) {
-            write(arrays, JointArray.ANCHORS, tables.anchors, 0, AnchorRow.of(tables.anchorCount, 0, subSteps));
+            arrays.write(JointArray.ANCHORS, tables.anchors, 0, AnchorRow.of(tables.anchorCount, 0, subSteps));
             sentAnchors = anchorsVersion;
         }
     }
 
     private void sendPartners(DeviceArrays arrays) {
         if (parts && sentPartners != partnersVersion) {
-            write(arrays, JointArray.PARTNER_STARTS, tables.partnerStart, 0, tables.partnered + 1);
-            write(arrays, JointArray.PARTNERS, tables.partners, 0, JointArray.PARTNERS.words() * partners());
+            arrays.write(JointArray.PARTNER_STARTS, tables.partnerStart, 0, tables.partnered + 1);
+            arrays.write(JointArray.PARTNERS, tables.partners, 0, JointArray.PARTNERS.words() * partners());
             sentPartners = partnersVersion;
-        }
-    }
-
-    /** Writes a part of a table. */
-    private static void write(DeviceArrays arrays, JointArray table, float[] values, int from, int to) {
-        if (from < to) {
-            arrays.writeTable(arrays.at(table, from, to), FloatBuffer.wrap(values, from, to - from));
-        }
-    }
-
-    private static void write(DeviceArrays arrays, JointArray table, int[] values, int from, int to) {
-        if (from < to) {
-            arrays.writeTable(arrays.at(table, from, to), IntBuffer.wrap(values, from, to - from));
         }
     }
 }

@@ -283,11 +283,11 @@ public final class StepParameters {
             arrays.get(DeviceArray.KIND_MOTION).write(motionView);
             motionSent = true;
         }
-        if (!surfacesSent && arrays.turning()) {
-            arrays.writeSurfaces(surfacesView);
+        if (!surfacesSent && arrays.features().turning()) {
+            arrays.writeTable(DeviceArray.SURFACES_AT, surfacesView);
             surfacesSent = true;
         }
-        if (!sleepSent && arrays.sleeping()) {
+        if (!sleepSent && arrays.features().sleeping()) {
             arrays.writeTable(DeviceArray.KIND_SLEEP_AT, kindSleepView);
             sleepSent = true;
         }

@@ -65,7 +65,7 @@ public final class TouchArrays implements AutoCloseable {
 
     /** Makes room for what other arrays have room for. */
     public void ensure(DeviceArrays arrays) {
-        long contactBytes = CONTACT_BYTES + (arrays.terrain() ? PIECE_BYTES : 0) + (arrays.turning() ? SLIP_BYTES : 0);
+        long contactBytes = CONTACT_BYTES + (arrays.features().terrain() ? PIECE_BYTES : 0) + (arrays.features().turning() ? SLIP_BYTES : 0);
         contacts = ensure("touches", contacts, contactBytes * arrays.contactCapacity());
         slots = ensure("touches of walls", slots, SLOT_BYTES * arrays.slotCapacity());
     }
