@@ -274,8 +274,8 @@ public enum DeviceArray {
     }
 
     /** Features that arrays are there for, in the order in which the struct World has these. */
-    static final List<Features> FEATURES = List.of(
-            Features.TURNING, Features.TERRAIN, Features.SLEEPING, Features.OWN_MOTION, Features.JOINTS);
+    static final List<Features> FEATURES =
+            List.of(Features.TURNING, Features.TERRAIN, Features.SLEEPING, Features.OWN_MOTION, Features.JOINTS);
 
     /** Floats before {@link #SURFACES} in the buffer of {@link #KIND_MOTION}: each buffer among the arguments costs time. */
     static final int SURFACES_AT = KindMotion.of(PairTable.KINDS);

@@ -4,13 +4,9 @@ import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
-import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
-import io.github.circles2d.world.model.KindSleep;
-import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -480,7 +476,8 @@ public final class DeviceArrays {
 
         DeviceBuffer get(DeviceArray array) {
             return slices.computeIfAbsent(
-                    array, a -> buffer.slice(a.kernelName(), a.bytesBefore(features) * stride, a.elementBytes() * stride));
+                    array,
+                    a -> buffer.slice(a.kernelName(), a.bytesBefore(features) * stride, a.elementBytes() * stride));
         }
 
         @Override

@@ -7,7 +7,6 @@ import io.github.circles2d.world.model.JointSpring;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.Softness;
 import io.github.circles2d.world.model.StepInput;
-import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 

@@ -17,7 +17,8 @@ enum TerrainArray implements TableRoom.Table {
         MOTION
     }
 
-    // Of the head, behind the places of tables: numbers of nodes, of bodies, and of nodes of the ground, which come first.
+    // Of the head, behind the places of tables: numbers of nodes, of bodies, and of nodes of the ground, which come
+    // first.
     static final int AT_NODES = 5;
     static final int AT_BODIES = 6;
     static final int AT_GROUND_NODES = 7;

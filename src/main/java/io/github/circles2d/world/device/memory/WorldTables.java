@@ -150,7 +150,8 @@ final class WorldTables {
     /** The numbers of a joint's rows and traits, which kernels have as vectors, row[0] and so on, and the bits of its form. */
     private static void joints(StringBuilder text) {
         Class<?> rows = JointRow.class;
-        text.append(places(rows, "ROW_", "row", "LENGTH", "MIN_LENGTH", "MAX_LENGTH", "MAX_FORCE", "MAX_TORQUE", "SPEED"))
+        text.append(places(
+                        rows, "ROW_", "row", "LENGTH", "MIN_LENGTH", "MAX_LENGTH", "MAX_FORCE", "MAX_TORQUE", "SPEED"))
                 .append(places(rows, "ROW_", "row", "ANCHOR_X", "ANCHOR_Y", "DIRECTION_X", "DIRECTION_Y"))
                 .append(places(rows, "ROW_", "row", "BREAK_FORCE", "BREAK_TORQUE"))
                 .append(places(rows, "HOLDS_", "traits", "A", "B"))

@@ -65,7 +65,7 @@ final class SleepStage {
         runOverJoints(hold);
         if (sleepers > 0) {
             pressByBodies
-                    .arg(StageKernels.own(0), bodies.sleepers())
+                    .arg(StageKernels.own(0), bodies.sleepers.get())
                     .arg(StageKernels.own(1), sleepers)
                     .run(sleepers);
         }
@@ -77,7 +77,7 @@ final class SleepStage {
         if (bodies != null) {
             spread.arg(StageKernels.own(0), from)
                     .arg(StageKernels.own(1), to)
-                    .arg(StageKernels.own(2), bodies.sleepers())
+                    .arg(StageKernels.own(2), bodies.sleepers.get())
                     .arg(StageKernels.own(3), sleepers);
         }
         spread.run(GROUP, GROUP);
@@ -91,7 +91,7 @@ final class SleepStage {
     /** Behind the step: so many circles, which {@link BodyArrays#held} has, do not fall asleep. */
     void keepAwake(int held) {
         holdByBodies
-                .arg(StageKernels.own(0), bodies.held())
+                .arg(StageKernels.own(0), bodies.held.get())
                 .arg(StageKernels.own(1), held)
                 .run(held);
     }

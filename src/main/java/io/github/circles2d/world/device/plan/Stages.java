@@ -82,7 +82,13 @@ public final class Stages {
         device = session.device();
         this.bodies = bodies == null
                 ? null
-                : new BodyStage(kernels, session, bodies, bodyArrays, arrays.features().joints(), arrays.features().sleeping());
+                : new BodyStage(
+                        kernels,
+                        session,
+                        bodies,
+                        bodyArrays,
+                        arrays.features().joints(),
+                        arrays.features().sleeping());
         this.kernels = kernels;
         this.arrays = arrays;
         this.parameters = parameters;
@@ -102,7 +108,9 @@ public final class Stages {
         contactsList = kernels.staged("contacts_list");
         pieces = arrays.features().terrain() ? kernels.staged("pieces_find") : null;
         joints = arrays.features().joints() ? new JointKernels(kernels, parameters.joints()) : null;
-        sleep = arrays.features().sleeping() ? new SleepStage(kernels, parameters.joints(), arrays.features().joints(), bodyArrays) : null;
+        sleep = arrays.features().sleeping()
+                ? new SleepStage(kernels, parameters.joints(), arrays.features().joints(), bodyArrays)
+                : null;
         degrees = kernels.plain("contacts_degrees");
     }
 

@@ -30,7 +30,8 @@ class TableRoomTest {
 
     @ParameterizedTest
     @MethodSource("rooms")
-    void tablesLieOneBehindTheOtherWhereVectorsMayBegin(TableRoom empty, int head, int counts, TableRoom.Table[] tables) {
+    void tablesLieOneBehindTheOtherWhereVectorsMayBegin(
+            TableRoom empty, int head, int counts, TableRoom.Table[] tables) {
         for (int size = 1; size < 70; size++) {
             TableRoom room = empty.with(needed(counts, size));
             int end = head;
