@@ -175,7 +175,7 @@ void passJoints(const World *w, int pass, int subStep, bool speeds, bool impulse
 #define FIRST_PASS(w) 0
 #endif
 
-// With several levels, or joints: what of a pass is before and behind the tiles' part, see the Java class LevelPasses.
+// With several levels, or joints: what of a pass is before and behind the tiles' part, see the Java class SubSteps.
 void beforeTiles(const World *w, int subStep, bool relaxing) {
     if (relaxing) return;
     EACH(slot, w->circles) startSlot(w, slot, subStep == 0);

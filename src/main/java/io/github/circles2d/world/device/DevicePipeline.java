@@ -81,7 +81,7 @@ public final class DevicePipeline implements Pipeline {
     private final RequestedPositions requested;
     private final DeviceSearch search;
     private final StepStatistics stats;
-    private final Home home = new Home();
+    private final StepQueue.Home home = new StepQueue.Home();
     private final JointTransfer joints;
     private final StepQueue queue;
 

@@ -18,6 +18,17 @@ import java.util.List;
  * behind it. {@link #settle} then enlarges the arrays, or enqueues the missing steps with what the case needs.
  */
 final class StepQueue {
+    /** How many circles, slots and cached impulses the device has at home: in the arrays that stay between steps. */
+    static final class Home {
+        /** Slots; circles that have gone may have left some of them empty. */
+        int slots;
+
+        int circles;
+
+        /** Contacts of the last step, which cached impulses are numbered by. */
+        int cachedContacts;
+    }
+
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
     private static final int MOST_PENDING = 64;
 

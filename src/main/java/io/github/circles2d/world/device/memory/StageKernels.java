@@ -80,7 +80,7 @@ public final class StageKernels {
         this.workGroupSize = workGroupSize;
         this.recording = recording;
         this.partOf = partOf;
-        names = UsedArguments.names(this.source);
+        names = DeviceArguments.names(this.source);
     }
 
     /** Whether a part has been compiled. */
@@ -135,7 +135,7 @@ public final class StageKernels {
             kernel.workGroupSize(Math.min(workGroupSize, kernel.maxWorkGroupSize()));
         }
         boundVersion = -1;
-        buffers.put(name, new UsedArguments(names).of(name));
+        buffers.put(name, DeviceArguments.used(names, name));
         return kernel;
     }
 
