@@ -1,8 +1,6 @@
 package io.github.circles2d.thesis;
 
-import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
-import io.github.circles2d.opencl.Program;
 
 /** Strategy 3, exact: no table, and a closed form that is right for every slot. */
 public final class ExactPairs extends PairStrategy {

@@ -2,9 +2,7 @@ package io.github.circles2d.thesis;
 
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.HostBuffer;
-import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
-import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 import java.nio.IntBuffer;
 

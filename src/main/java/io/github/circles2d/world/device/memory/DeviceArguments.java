@@ -9,7 +9,6 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
 
-
 /** The buffers that the stages' kernels take as arguments, in their order: arrays of their own, then blocks of arrays. */
 final class DeviceArguments {
     /** The arrays that are arguments of their own. */
@@ -18,9 +17,8 @@ final class DeviceArguments {
             .toList();
 
     /** The blocks. */
-    static final List<Index> BLOCKS = Arrays.stream(Index.values())
-            .filter(index -> index.block() != null)
-            .toList();
+    static final List<Index> BLOCKS =
+            Arrays.stream(Index.values()).filter(index -> index.block() != null).toList();
 
     /** Number of buffers. */
     static final int COUNT = ARRAYS.size() + BLOCKS.size();
