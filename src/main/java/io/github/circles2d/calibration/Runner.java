@@ -1,18 +1,11 @@
 package io.github.circles2d.calibration;
 
 /**
- * What loops ran on. Figures of one version say nothing of another.
- *
- * @param name the device, and how it was used; one line
- * @param version everything else that its speed depends on: driver, kernels, library; one line
+ * What loops ran on, in two lines: the device and how it was used, and everything else that its speed depends on, such
+ * as driver, kernels and library. Figures of one version say nothing of another.
  */
 public record Runner(String name, String version) {
-    /**
-     * Makes both fit into a field of the file.
-     *
-     * @param name the device, and how it was used
-     * @param version everything else that its speed depends on
-     */
+    /** Makes both fit into a field of the file. */
     public Runner {
         name = oneLine(name);
         version = oneLine(version);

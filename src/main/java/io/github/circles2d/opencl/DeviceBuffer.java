@@ -43,11 +43,7 @@ public final class DeviceBuffer implements AutoCloseable {
         session.own(handle);
     }
 
-    /**
-     * Returns the size that was asked for.
-     *
-     * @return bytes
-     */
+    /** {@return the size that was asked for, in bytes} */
     public long bytes() {
         return bytes;
     }

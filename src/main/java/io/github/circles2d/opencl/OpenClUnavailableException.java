@@ -51,11 +51,7 @@ public final class OpenClUnavailableException extends OpenClException {
         return new OpenClUnavailableException(getMessage(), this, driverMissing);
     }
 
-    /**
-     * Returns whether a driver is what is missing.
-     *
-     * @return true if installing a driver may be the cure, false if it cannot be
-     */
+    /** {@return whether a driver is what is missing, so that installing one may be the cure} */
     public boolean isDriverMissing() {
         return driverMissing;
     }

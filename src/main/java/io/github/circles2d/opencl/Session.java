@@ -82,29 +82,19 @@ public final class Session implements AutoCloseable {
         }
     }
 
-    /**
-     * Returns the device of this session.
-     *
-     * @return the device given to {@link #open}
-     */
+    /** {@return the device given to {@link #open}} */
     public Device device() {
         return device;
     }
 
-    /**
-     * Returns how many bytes of device memory the open buffers take.
-     *
-     * @return bytes
-     */
+    /** {@return how many bytes of device memory the open buffers take} */
     public long allocatedBytes() {
         return allocatedBytes;
     }
 
     /**
-     * Returns how many bytes this session may still allocate: the device's memory less what is allocated here. Other
-     * programs on the device are not seen.
-     *
-     * @return bytes, never negative
+     * {@return how many bytes this session may still allocate, never negative: the device's memory less what is
+     * allocated here} Other programs on the device are not seen.
      */
     public long freeBytes() {
         return Math.max(0, device.memoryBytes() - allocatedBytes);

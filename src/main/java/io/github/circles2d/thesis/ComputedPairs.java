@@ -11,7 +11,6 @@ import io.github.circles2d.opencl.Session;
  * counted on the device and skipped.
  */
 public final class ComputedPairs extends PairStrategy {
-    /** Creates the strategy. */
     public ComputedPairs() {
         super("detect_collisions", "resolve_collisions");
     }

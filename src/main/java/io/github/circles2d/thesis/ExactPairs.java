@@ -4,7 +4,6 @@ import io.github.circles2d.opencl.KernelSource;
 
 /** Strategy 3, exact: no table, and a closed form that is right for every slot. */
 public final class ExactPairs extends PairStrategy {
-    /** Creates the strategy. */
     public ExactPairs() {
         super("detect_collisions_exact", "resolve_collisions_exact");
     }

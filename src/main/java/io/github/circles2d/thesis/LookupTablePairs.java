@@ -11,7 +11,6 @@ public final class LookupTablePairs extends PairStrategy {
     /** The table goes to the device in pieces of this many slots. */
     private static final int PIECE = 1 << 19;
 
-    /** Creates the strategy. */
     public LookupTablePairs() {
         super("detect_collisions_precomputed_pairs", "resolve_collisions_with_pairs");
     }

@@ -26,12 +26,7 @@ public abstract class PairStrategy implements AutoCloseable {
         this.resolveKernel = resolveKernel;
     }
 
-    /**
-     * Returns the source of the kernels.
-     *
-     * @param circles the number of circles that they will serve
-     * @return the source
-     */
+    /** The source of the kernels that will serve a number of circles. */
     public abstract KernelSource source(int circles);
 
     /** Returns the size of the table for a number of circles. */

@@ -12,7 +12,6 @@ import io.github.circles2d.opencl.Session;
 public final class RowSearchPairs extends PairStrategy {
     private static final long ROW_BYTES = 2L * Integer.BYTES;
 
-    /** Creates the strategy. */
     public RowSearchPairs() {
         super("detect_collisions_precomputed_rows", "resolve_collisions_with_rows");
     }
