@@ -67,4 +67,20 @@ public record Timings(List<Entry> entries) {
                         candidate.getValue().millis(circles)))
                 .collect(Collectors.joining(", ", "by calibration, ms a loop of " + circles + " circles: ", ""));
     }
+
+    /**
+     * What loops ran on, in two lines: the device and how it was used, and everything else that its speed depends on, such
+     * as driver, kernels and library. Figures of one version say nothing of another.
+     */
+    public record Runner(String name, String version) {
+        /** Makes both fit into a field of the file. */
+        public Runner {
+            name = oneLine(name);
+            version = oneLine(version);
+        }
+
+        private static String oneLine(String text) {
+            return text.replaceAll("\\s+", " ").trim();
+        }
+    }
 }

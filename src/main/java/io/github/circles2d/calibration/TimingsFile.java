@@ -78,7 +78,7 @@ public final class TimingsFile {
                 int sign = time.indexOf('=');
                 millis.put(Integer.valueOf(time.substring(0, sign)), Double.valueOf(time.substring(sign + 1)));
             }
-            return new Timings.Entry(fields[0], new Runner(fields[1], fields[2]), new Curve(millis));
+            return new Timings.Entry(fields[0], new Timings.Runner(fields[1], fields[2]), new Curve(millis));
         } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
             throw new IOException("a line of it makes no sense: " + e.getMessage(), e);
         }

@@ -237,23 +237,21 @@ final class CommandsStage {
                 .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
                 .arg(2, arrays.get(DeviceArray.HOME_MOTION))
                 .arg(3, arrays.get(DeviceArray.HOME_TRAITS))
-                .arg(4, slots)
-                .arg(5, bounds.minX())
-                .arg(6, bounds.minY())
-                .arg(7, bounds.maxX())
-                .arg(8, bounds.maxY())
-                .arg(9, from.minX())
-                .arg(10, from.minY())
-                .arg(11, from.maxX())
-                .arg(12, from.maxY());
+                .arg(4, slots);
+        bind(confine, 5, bounds);
+        bind(confine, 9, from);
         if (wake != null) {
-            confine.arg(13, arrays.get(DeviceArray.HOME_SLEEP))
-                    .arg(14, calm.minX())
-                    .arg(15, calm.minY())
-                    .arg(16, calm.maxX())
-                    .arg(17, calm.maxY());
+            confine.arg(13, arrays.get(DeviceArray.HOME_SLEEP));
+            bind(confine, 14, calm);
         }
         confine.run(slots);
+    }
+
+    private static void bind(Kernel kernel, int first, Bounds bounds) {
+        kernel.arg(first, bounds.minX())
+                .arg(first + 1, bounds.minY())
+                .arg(first + 2, bounds.maxX())
+                .arg(first + 3, bounds.maxY());
     }
 
     /** Links the records of each circle. */

@@ -7,7 +7,6 @@ import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
-import io.github.circles2d.world.device.plan.TileUse;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.util.List;
@@ -232,7 +231,7 @@ final class StepQueue {
             status.read(arrays);
             takeMade(status.get(StatusWord.STEPS_DONE) - seen);
             for (Plan each : plans) {
-                each.learn(TileUse.of(status), thinning > 0);
+                each.learn(Plan.TileUse.of(status), thinning > 0);
             }
             if (pending == 0) {
                 home.cachedContacts = cachedContacts();
@@ -307,7 +306,7 @@ final class StepQueue {
         if (status.has(StatusWord.OUT_OF_ROOM) && !arrays.ensureCopies(status.get(StatusWord.TILE_COPIES))) {
             // Steps without tiles need no copies.
             for (Plan each : plans) {
-                each.learn(TileUse.NONE_DO, thinning > 0);
+                each.learn(Plan.TileUse.NONE_DO, thinning > 0);
             }
         }
         status.clear(

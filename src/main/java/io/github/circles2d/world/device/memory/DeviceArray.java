@@ -207,7 +207,11 @@ public enum DeviceArray {
             "fields: own gravity scale, damping, greatest speed, NaN for those of the kind"),
 
     // From here on: of worlds with joints.
-    JOINTS(JointHead.NAME, "joints", Index.TABLE, "where tables lie, from here on, and how many joints there are");
+    JOINTS(
+            JointUpload.Head.NAME,
+            "joints",
+            Index.TABLE,
+            "where tables lie, from here on, and how many joints there are");
 
     /** What an array is indexed by, which decides its size, and the block that it is in. */
     enum Index {
@@ -290,7 +294,7 @@ public enum DeviceArray {
     static final int JOINTS_AT = KIND_SLEEP_AT + KindSleep.of(PairTable.KINDS) + 3 & ~3;
 
     /** Floats before {@link #TERRAIN} in the same buffer: a multiple of 4. */
-    static final int TERRAIN_AT = JOINTS_AT + JointHead.STRUCT.words() + 3 & ~3;
+    static final int TERRAIN_AT = JOINTS_AT + JointUpload.Head.STRUCT.words() + 3 & ~3;
 
     private static final DeviceArray[] values = values();
 
@@ -417,7 +421,7 @@ public enum DeviceArray {
             case "int4", "float4", "ulong2", "long2" -> 16;
             case "long4", "float8" -> 32;
             case FieldsStruct.NAME -> FieldsStruct.BYTES;
-            case JointHead.NAME -> Integer.BYTES * JointHead.STRUCT.words();
+            case JointUpload.Head.NAME -> Integer.BYTES * JointUpload.Head.STRUCT.words();
             default -> throw new IllegalStateException(type + " has no size here");
         };
     }

@@ -28,7 +28,7 @@ public final class JointUpload {
     private int partnersVersion = NEVER;
     private boolean parts;
     private final int[] starts = new int[JointStep.BATCH_STRIDE];
-    private final JointHead head = new JointHead();
+    private final Head head = new Head();
 
     // the same of what is on the device
     private int sentRoom = NEVER;
@@ -42,8 +42,8 @@ public final class JointUpload {
     private boolean sent;
 
     private final int[] needed = new int[Count.COUNT];
-    private final int[] words = new int[JointHead.STRUCT.words()];
-    private final int[] sentWords = new int[JointHead.STRUCT.words()];
+    private final int[] words = new int[Head.STRUCT.words()];
+    private final int[] sentWords = new int[Head.STRUCT.words()];
     private final IntBuffer wordsView = IntBuffer.wrap(words);
 
     /** What comes is of another world. */
@@ -189,7 +189,7 @@ public final class JointUpload {
         for (JointArray table : JointArray.ALL) {
             head.at[table.ordinal()] = arrays.at(table) - DeviceArray.JOINTS_AT;
         }
-        JointHead.STRUCT.pack(head, words);
+        Head.STRUCT.pack(head, words);
         if (!Arrays.equals(words, sentWords)) {
             arrays.writeTable(DeviceArray.JOINTS_AT, wordsView);
             System.arraycopy(words, 0, sentWords, 0, words.length);
@@ -249,6 +249,51 @@ public final class JointUpload {
             arrays.write(JointArray.PARTNER_STARTS, tables.partnerStart, 0, tables.partnered + 1);
             arrays.write(JointArray.PARTNERS, tables.partners, 0, JointArray.PARTNERS.words() * partners());
             sentPartners = partnersVersion;
+        }
+    }
+
+    /** What kernels know of the joints of a step: the struct at {@link DeviceArray#JOINTS}. */
+    static final class Head {
+        static final String NAME = "JointHead";
+
+        static final HostStruct<Head> STRUCT = struct();
+
+        /** By table: words from {@link DeviceArray#JOINTS}. */
+        final int[] at = new int[JointArray.ALL.length];
+
+        /** 1 where the step has joints. */
+        int any;
+
+        int count;
+        int splitStart;
+        int splitCircles;
+        int batches;
+        int colours;
+        int partnered;
+        float massScale;
+        float biasRate;
+        float impulseScale;
+
+        private static HostStruct<Head> struct() {
+            HostStruct<Head> struct = new HostStruct<>(NAME);
+            for (JointArray table : JointArray.ALL) {
+                int k = table.ordinal();
+                struct.field("int", table.kernelName(), (head, to) -> to.put(head.at[k]), table.comment());
+            }
+            return struct.field("int", "any", (head, to) -> to.put(head.any), "1 where the step has joints")
+                    .field("int", "count", (head, to) -> to.put(head.count), "joints in the order")
+                    .field(
+                            "int",
+                            "splitStart",
+                            (head, to) -> to.put(head.splitStart),
+                            "the first split one in the order")
+                    .field("int", "splitCircles", (head, to) -> to.put(head.splitCircles), "circles of split joints")
+                    .field("int", "batches", (head, to) -> to.put(head.batches), "batches of joints")
+                    .field("int", "colours", (head, to) -> to.put(head.colours), "colours in use")
+                    .field("int", "partnered", (head, to) -> to.put(head.partnered), "ids that partnerStarts knows")
+                    .field("float", "massScale", (head, to) -> to.put(head.massScale), "of rigid joints")
+                    .field("float", "biasRate", (head, to) -> to.put(head.biasRate), "the same")
+                    .field("float", "impulseScale", (head, to) -> to.put(head.impulseScale), "the same");
         }
     }
 }

@@ -83,7 +83,7 @@ final class WorldTables {
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
         joints(text);
-        text.append(JointHead.STRUCT.text());
+        text.append(JointUpload.Head.STRUCT.text());
         text.append("typedef float" + ContactRows.STRIDE + " " + ROWS + ";\n");
         text.append("typedef float" + 2 * ContactRows.STRIDE + " " + WALL_ROWS + ";\n");
         text.append(TouchArrays.text()).append(EventArrays.text());

@@ -232,7 +232,7 @@ public final class Tiles implements Plan, SubSteps.Passes {
     }
 
     @Override
-    public void learn(TileUse use, boolean thinning) {
+    public void learn(Plan.TileUse use, boolean thinning) {
         sizes.learn(use, thinning);
     }
 }

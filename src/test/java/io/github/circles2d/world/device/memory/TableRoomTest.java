@@ -48,7 +48,8 @@ class TableRoomTest {
     void headsEndBeforeTheTables() {
         assertThat(DeviceArray.JOINTS_AT % 4).isZero();
         assertThat(DeviceArray.TERRAIN_AT % 4).isZero();
-        assertThat(DeviceArray.TERRAIN_AT).isGreaterThanOrEqualTo(DeviceArray.JOINTS_AT + JointHead.STRUCT.words());
+        assertThat(DeviceArray.TERRAIN_AT)
+                .isGreaterThanOrEqualTo(DeviceArray.JOINTS_AT + JointUpload.Head.STRUCT.words());
         assertThat(TerrainArray.room().at(TerrainArray.ROWS)).isEqualTo(TerrainArray.HEAD);
     }
 
