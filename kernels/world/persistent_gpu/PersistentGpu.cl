@@ -175,7 +175,7 @@ void passJoints(const World *w, int pass, int subStep, bool speeds, bool impulse
 #define FIRST_PASS(w) 0
 #endif
 
-// With several levels, or joints: what of a pass is before and behind the tiles' part, see the Java class LevelPasses.
+// With several levels, or joints: what of a pass is before and behind the tiles' part, see the Java class SubSteps.
 void beforeTiles(const World *w, int subStep, bool relaxing) {
     if (relaxing) return;
     EACH(slot, w->circles) startSlot(w, slot, subStep == 0);
@@ -236,9 +236,7 @@ void solveAll(World *w, local Tile *t) {
 #pragma unroll 1
             for (int tile = group; tile < tiles; tile += groups) {
                 if (tiles > groups) takeTile(w, t, tile, false);
-#ifdef TURNING
-                w->relaxed = subStep;
-#endif
+                IF_TURNING(w->relaxed = subStep;)
                 if (relaxing) {
                     relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3, several);
                 } else {
@@ -308,10 +306,8 @@ bool reportAll(const World *w, bool sensing) {
 // compute unit, with 128 registers and many spills.
 kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps DECIDING_PARAMETERS) {
     World w = WORLD;
-#ifdef RECORDING
-    RECORD_IN(w);
-    REPORT_IN(w);
-#endif
+    IF_RECORDING(RECORD_IN(w);)
+    IF_RECORDING(REPORT_IN(w);)
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles
     w.k.tiled = 1;

@@ -44,8 +44,7 @@ int strideOf(int kind) {
 
 bool isCast(int kind) { return kind == QUERY_RAY || kind == QUERY_DISC_CAST; }
 
-Query queryOf(const Tree *t, int kind, global const int *words, int number, float within, int filtered,
-              global const CircleFields *fields) {
+Query queryOf(const Tree *t, int kind, global const int *words, int number, float within, int filtered, global const CircleFields *fields) {
     global const float *from = (global const float *) (words + FILTER_WORDS) + strideOf(kind) * number;
     Query q;
     q.kind = kind;
@@ -178,9 +177,7 @@ void sink(const Rows *rows, int at, int id, Place place, int n) {
     int k = at;
     while (2 * k + 1 < n) {
         int child = 2 * k + 1;
-        if (child + 1 < n
-            && isAfter(rows->place[child + 1].distance, rows->id[child + 1], rows->place[child].distance,
-                       rows->id[child])) {
+        if (child + 1 < n && isAfter(rows->place[child + 1].distance, rows->id[child + 1], rows->place[child].distance, rows->id[child])) {
             child++;
         }
         if (!isAfter(rows->place[child].distance, rows->id[child], place.distance, id)) break;
@@ -243,9 +240,11 @@ int findAll(const Tree *t, const Query *q, const Rows *rows) {
     return count;
 }
 
+#define QUERY_PARAMETERS \
+    TREE_PARAMETERS, int kind, global const int *words, int filtered, global const CircleFields *fields, int n
+
 // Index space: a query.
-kernel void queries_count(TREE_PARAMETERS, int kind, global const int *words, int filtered,
-                          global const CircleFields *fields, int n, global int *counts) {
+kernel void queries_count(QUERY_PARAMETERS, global int *counts) {
     int number = (int) get_global_id(0);
     if (number >= n) return;
     Tree tree = TREE;
@@ -254,9 +253,7 @@ kernel void queries_count(TREE_PARAMETERS, int kind, global const int *words, in
 }
 
 // Index space: a query.
-kernel void queries_list(TREE_PARAMETERS, int kind, global const int *words, int filtered,
-                         global const CircleFields *fields, int n, global const int *ends, global int *foundId,
-                         global Place *foundPlace) {
+kernel void queries_list(QUERY_PARAMETERS, global const int *ends, global int *foundId, global Place *foundPlace) {
     int number = (int) get_global_id(0);
     if (number >= n) return;
     Tree tree = TREE;
@@ -323,9 +320,7 @@ int findFew(const Tree *t, const Query *q, int most, const Rows *rows) {
 }
 
 // Index space: a query.
-kernel void queries_few(TREE_PARAMETERS, int kind, global const int *words, int filtered,
-                        global const CircleFields *fields, int n, float within, int most, global int *foundId,
-                        global Place *foundPlace) {
+kernel void queries_few(QUERY_PARAMETERS, float within, int most, global int *foundId, global Place *foundPlace) {
     int number = (int) get_global_id(0);
     if (number >= n) return;
     Tree tree = TREE;

@@ -51,8 +51,7 @@ float effectiveMass(float invMassA, float invMassB) { return 1.0f / (invMassA + 
 float velocityChange(float normal, float invMass, float impulse) { return normal * (invMass * impulse); }
 
 // Returns whether there is a direction. base: difference of the bases; moved: of the displacements.
-INLINE bool measure(float baseX, float baseY, float movedX, float movedY, float radii, float *normalX, float *normalY,
-                    float *separation) {
+INLINE bool measure(float baseX, float baseY, float movedX, float movedY, float radii, float *normalX, float *normalY, float *separation) {
     float dx = baseX + movedX;
     float dy = baseY + movedY;
     float distance = lengthf(dx, dy);
@@ -84,9 +83,7 @@ typedef struct {
     float mass;      // effective
     float normalImpulse;
     bool loaded; // whether one of its circles is
-#ifdef TURNING
-    bool held; // whether another row has acted, which the relaxing pass may have to take back
-#endif
+    IF_TURNING(bool held;) // whether another row has acted, which the relaxing pass may have to take back
     // In the biased pass:
     float pushSpeed;
     float before;       // normal speed before any impulse
@@ -114,10 +111,8 @@ typedef struct {
     float normalImpulse; // accumulated
     bool leaves;
     bool solved;         // neither left alone nor bounced freely
-#ifdef TURNING
-    float whole; // accumulated, with a bounce
-    bool still;  // left alone at any speed
-#endif
+    IF_TURNING(float whole;) // accumulated, with a bounce
+    IF_TURNING(bool still;)  // left alone at any speed
 } Visited;
 
 INLINE void makeReadyToSolve(const StepConstants *k, Softness softness, const Found *f, Ready *c) {
@@ -160,9 +155,7 @@ INLINE void makeReadyToRelax(const StepConstants *k, const Found *f, float bounc
     c->bounce = bounce;
     c->restingLimit = restingLimit(f->separation, f->threshold);
     c->still = idle && f->separation > 0.0f;
-#ifdef TURNING
-    c->still = c->still && !f->held;
-#endif
+    IF_TURNING(c->still = c->still && !f->held;)
 }
 
 bool bouncesFreely(const Visited *v) { return !v->solved && !v->leaves; }
@@ -185,10 +178,8 @@ INLINE void visit(const Ready *c, float vn, bool relaxing, Visited *v) {
     bool solved = !(leaves || bounces);
     float next = maxf((c->normalImpulse - c->mass * (c->scale * vn + c->bias)) - c->less, 0.0f);
     v->vn = vn;
-#ifdef TURNING
-    v->whole = next;
-    v->still = c->still;
-#endif
+    IF_TURNING(v->whole = next;)
+    IF_TURNING(v->still = c->still;)
     v->impulse = bounces ? c->gain * (vn - c->halfFall) * c->bounceMass : next - c->normalImpulse;
     if (relaxing) next = c->bounce > 0.0f ? 0.0f : next;
     v->normalImpulse = solved ? next : c->normalImpulse;

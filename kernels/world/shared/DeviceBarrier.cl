@@ -1,5 +1,5 @@
 // uses: world/stages/World.cl
-// A barrier over all work-groups of a launch. They must all run at once, which OpenCL does not promise: see the Java class ResidentGroups.
+// A barrier over all work-groups of a launch. They must all run at once, which OpenCL does not promise: see the Java class PersistentGpu.
 // OpenCL 1.2 orders nothing beyond a work-group, so two functions are PTX, on NVIDIA devices. One work-group alone needs neither.
 
 // Counts this work-group, once its writes are visible; returns how many came before.

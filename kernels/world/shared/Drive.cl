@@ -4,10 +4,8 @@
 
 // By gravity, of speed in a sub-step.
 float2 gravityGainOf(const World *w, int id, int kind) {
-#ifdef OWN_MOTION
-    float scale = w->ownMotion[id].OWN_GRAVITY_SCALE;
-    if (!isnan(scale)) return (float2)(gravityGain(w->k.gravityX, scale, w->k.h), gravityGain(w->k.gravityY, scale, w->k.h));
-#endif
+    IF_OWN_MOTION(float scale = w->ownMotion[id].OWN_GRAVITY_SCALE;)
+    IF_OWN_MOTION(if (!isnan(scale)) return (float2)(gravityGain(w->k.gravityX, scale, w->k.h), gravityGain(w->k.gravityY, scale, w->k.h));)
     return w->kindMotion[2 * kind].xy;
 }
 

@@ -12,9 +12,7 @@ typedef struct {
     float2 began; // velocity as the sub-step began
     float share;  // by how much it counts as lighter
     float inverseMass; // also of one that sleeps
-#ifdef SLEEPING
-    bool still; // whether it sleeps, and gets nothing
-#endif
+    IF_SLEEPING(bool still;) // whether it sleeps, and gets nothing
 #ifdef TURNING
     float inverseInertia, radius, speed; // speed: surface speed
     float turned;                        // in this step, radians
@@ -279,9 +277,7 @@ void moveAlong(global const JointHead *j, JointVisit *v, bool biased) {
     }
     v->pushX = nx * push;
     v->pushY = ny * push;
-#ifdef TURNING
-    if (holds(v, HOLD_ACROSS)) moveAcross(j, v, biased);
-#endif
+    IF_TURNING(if (holds(v, HOLD_ACROSS)) moveAcross(j, v, biased);)
 }
 
 void solvePoint(global const JointHead *j, JointVisit *v) {
@@ -301,9 +297,7 @@ APART void solveJoint(global const JointHead *j, JointVisit *v) {
         v->begunX = v->b.began.x - v->a.began.x;
         v->begunY = v->b.began.y - v->a.began.y;
     }
-#ifdef TURNING
-    solveTurning(j, v);
-#endif
+    IF_TURNING(solveTurning(j, v);)
     if (linearOf(v) == HOLD_AXIAL) {
         moveAlong(j, v, true);
     } else if (linearOf(v) == HOLD_POINT) {
@@ -317,9 +311,7 @@ APART void relaxJoint(global const JointHead *j, JointVisit *v) {
     giveNothing(v);
     measureJoint(v);
     lookAtEnds(v);
-#ifdef TURNING
-    relaxTurning(v);
-#endif
+    IF_TURNING(relaxTurning(v);)
     if (linearOf(v) == HOLD_AXIAL) {
         moveAlong(j, v, false);
     } else if (linearOf(v) == HOLD_DRAG || (linearOf(v) == HOLD_POINT && holds(v, HOLD_RIGID))) {

@@ -22,19 +22,15 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     *before = beforeImpulses(w, slot, t->INVERSE_MASS, *m);
     bool atWalls = wallsAct(w, slot, t->WALLS);
     *loaded = l.LOADED_NEXT > 0.0f || atWalls;
-#ifdef TERRAIN
-    *loaded = *loaded || piecesAct(w, slot);
-#endif
+    IF_TERRAIN(*loaded = *loaded || piecesAct(w, slot);)
     // Arrays, in a loop that stays one: few circles are at walls, and in registers this would leave a GPU room for fewer work-groups.
     float x[2] = {c.x, c.y};
     float dx[2] = {m->DX, m->DY};
     float v[2] = {before->x, before->y};
     float next[2] = {afterImpulse(v[0], t->INVERSE_MASS, l.IMPULSES.x), afterImpulse(v[1], t->INVERSE_MASS, l.IMPULSES.y)};
     float wall[2] = {t->WALL_X, t->WALL_Y};
-#ifdef TURNING
-    turning->s = startedSpin(w, slot, c.RADIUS, turning->s, spinSum);
-    if (atWalls) startWallRows(w, c, wall, next, turning);
-#endif
+    IF_TURNING(turning->s = startedSpin(w, slot, c.RADIUS, turning->s, spinSum);)
+    IF_TURNING(if (atWalls) startWallRows(w, c, wall, next, turning);)
     float target[2];
     float low[2] = {k->minX, k->minY};
     float high[2] = {k->maxX, k->maxY};
@@ -52,9 +48,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
 #endif
         next[axis] = solveWall(w, axis, x[axis], &dx[axis], v[axis], next[axis], c.RADIUS, t->RESTITUTION, *loaded, low[axis], high[axis],
                                rate[axis], &wall[axis], &target[axis] AND_TURNING(turning) AND_TURNING(next + (1 - axis)));
-#ifdef TURNING
-        turning->to[axis] = next[axis];
-#endif
+        IF_TURNING(turning->to[axis] = next[axis];)
     }
     *bounce = (float2)(target[0], target[1]);
     *m = (float4)(dx[0], dx[1], next[0], next[1]);
@@ -63,8 +57,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
 }
 
 // The same if no wall pushes the circle; false if a wall may begin to.
-INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, float2 *before,
-                              float2 *v) {
+INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, float2 *before, float2 *v) {
     const StepConstants *k = &w->k;
     *before = beforeImpulses(w, slot, invMass, m);
     float2 next = (float2)(afterImpulse(before->x, invMass, impulses.x), afterImpulse(before->y, invMass, impulses.y));
@@ -181,9 +174,7 @@ void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce,
 #endif
         v[axis] = relaxWall(w, axis, x[axis], dx[axis], v[axis], c.RADIUS, t->RESTITUTION, loaded, target[axis], low[axis], high[axis],
                             rate[axis], &wall[axis] AND_TURNING(turning) AND_TURNING(v + (1 - axis)));
-#ifdef TURNING
-        turning->to[axis] = v[axis];
-#endif
+        IF_TURNING(turning->to[axis] = v[axis];)
     }
     m->VX = v[0];
     m->VY = v[1];
@@ -212,9 +203,7 @@ void finalizeSleep(const World *w, int slot, float4 m, float inverseMass_) {
     if (inverseMass_ != 0.0f) {
         sleep.DRIFT_X = as_int(as_float(sleep.DRIFT_X) + m.DX);
         sleep.DRIFT_Y = as_int(as_float(sleep.DRIFT_Y) + m.DY);
-#ifdef TURNING
-        sleep.UNITS_TURNED = (int) ((uint) sleep.UNITS_TURNED + ((uint) w->homeTurn[slot].ANGLE - (uint) w->turn[slot].ANGLE));
-#endif
+        IF_TURNING(sleep.UNITS_TURNED = (int) ((uint) sleep.UNITS_TURNED + ((uint) w->homeTurn[slot].ANGLE - (uint) w->turn[slot].ANGLE));)
     }
     w->homeSleep[slot] = sleep;
 }
@@ -240,13 +229,7 @@ INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, floa
     w->homeTraits[slot] = t;
     w->homeId[slot] = id;
     w->slotOf[id] = slot;
-#ifdef TURNING
-    finalizeTurning(w, slot, c.RADIUS);
-#endif
-#ifdef TERRAIN
-    finalizePieces(w, slot);
-#endif
-#ifdef SLEEPING
-    finalizeSleep(w, slot, m, t.INVERSE_MASS);
-#endif
+    IF_TURNING(finalizeTurning(w, slot, c.RADIUS);)
+    IF_TERRAIN(finalizePieces(w, slot);)
+    IF_SLEEPING(finalizeSleep(w, slot, m, t.INVERSE_MASS);)
 }

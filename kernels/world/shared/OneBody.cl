@@ -16,9 +16,7 @@ Found foundOneBody(const StepConstants *k, float separation, float r, float rest
     f.pushSpeed = pushSpeed(k, 2.0f * r);
     f.squaredSpeed = INFINITY; // never lingers
     f.halfFall = 0.0f;         // leftBehind takes its place
-#ifdef TURNING
-    f.held = false;
-#endif
+    IF_TURNING(f.held = false;)
     return f;
 }
 

@@ -9,9 +9,7 @@ typedef struct {
     float inertia;        // inverse inertia by inverse mass
     RowImpulses walls[2]; // by axis of the wall
     float from[2], to[2]; // velocities across walls, before and after a visit: for those that record it
-#ifdef RECORDING
-    float slid[2]; // how fast surfaces slid before it
-#endif
+    IF_RECORDING(float slid[2];) // how fast surfaces slid before it
 } Turning;
 
 // A row as those of surfaces: that of the circle's kind, with its own values in it.

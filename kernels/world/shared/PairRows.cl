@@ -4,9 +4,7 @@
 
 // As warmStartImpulse.
 INLINE RowImpulses warmStartRows(const World *w, int entry) {
-#ifdef TURNING
-    if (entry != NONE) return w->rowCache[entry] * w->warmScale;
-#endif
+    IF_TURNING(if (entry != NONE) return w->rowCache[entry] * w->warmScale;)
     return (RowImpulses)(0.0f);
 }
 
@@ -177,9 +175,7 @@ INLINE RowImpulses rowsAt(const World *w, int c) {
 // What a contact adds to the sums of its circles, see loadAlong. n: normal.
 float2 loadOf(const World *w, int c, float2 n, float normalImpulse) {
     float2 g = loadAlong(n.x, n.y, normalImpulse);
-#ifdef TURNING
-    PairSurface s = surfaceAt(w, c);
-    if (rowsAct(&s)) g += rowLoad(n, w->rowImpulses[c]);
-#endif
+    IF_TURNING(PairSurface s = surfaceAt(w, c);)
+    IF_TURNING(if (rowsAct(&s)) g += rowLoad(n, w->rowImpulses[c]);)
     return g;
 }

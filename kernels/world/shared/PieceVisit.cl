@@ -6,6 +6,10 @@
 // c: circle; m: motion; boundary: of sub-steps, from 0 to their number.
 
 #ifdef TERRAIN
+// own: of the circle. A loop that stays one.
+#define EACH_PIECE(k, own)                                                                                             \
+    _Pragma("unroll 1") for (int k = (own).PIECES_FIRST; k < (own).PIECES_FIRST + (own).PIECES_COUNT; k++)
+
 bool hasPieces(const World *w, int slot) { return w->pieces[slot].PIECES_COUNT > 0; }
 
 // Whether the contact of a circle and a piece acts, see actingImpulse.
@@ -14,8 +18,7 @@ bool pieceActs(const World *w, int k) { return actingImpulse(w->push[k].PUSH_NOR
 bool piecesAct(const World *w, int slot) {
     int2 own = w->pieces[slot];
     bool act = false;
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) act |= pieceActs(w, k);
+    EACH_PIECE(k, own) act |= pieceActs(w, k);
     return act;
 }
 
@@ -38,6 +41,19 @@ global const float *bodyOf(const World *w, int motion) {
 
 global const float *poseOf(global const float *body, int boundary) { return body + BODY_HEAD + BODY_POSE * boundary; }
 
+// A way as a pose turns it, and back.
+float2 turnedByPose(global const float *pose, float x, float y) {
+    float cos_ = pose[BODY_COS];
+    float sin_ = pose[BODY_SIN];
+    return (float2)(cos_ * x - sin_ * y, sin_ * x + cos_ * y);
+}
+
+float2 turnedBack(global const float *pose, float x, float y) {
+    float cos_ = pose[BODY_COS];
+    float sin_ = pose[BODY_SIN];
+    return (float2)(cos_ * x + sin_ * y, cos_ * y - sin_ * x);
+}
+
 // Its pivot against x and y of a piece.
 float2 pivotOf(global const float *row) { return (float2)(row[PIECE_PIVOT_X], row[PIECE_PIVOT_Y]); }
 
@@ -49,9 +65,7 @@ float2 inFrame(const World *w, global const float *row, int motion, float2 o, fl
     float2 p = pivotOf(row);
     float x = (o.x - p.x) + (d.x - pose[BODY_DX]);
     float y = (o.y - p.y) + (d.y - pose[BODY_DY]);
-    float cos_ = pose[BODY_COS];
-    float sin_ = pose[BODY_SIN];
-    return (float2)((cos_ * x + sin_ * y) + p.x, (cos_ * y - sin_ * x) + p.y);
+    return turnedBack(pose, x, y) + p;
 }
 
 bool isOneWay(const World *w, int kind) { return w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_TERRAIN_ONE_WAY] != 0.0f; }
@@ -103,16 +117,9 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
         }
         measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
     }
-    float nx = g.nx;
-    float ny = g.ny;
-    if (traits.TRAIT_MOTION != 0) {
-        global const float *pose = poseOf(bodyOf(w, traits.TRAIT_MOTION), boundary);
-        float cos_ = pose[BODY_COS];
-        float sin_ = pose[BODY_SIN];
-        nx = cos_ * g.nx - sin_ * g.ny;
-        ny = sin_ * g.nx + cos_ * g.ny;
-    }
-    w->measured[k] = (float4)(nx, ny, g.gap, g.curve);
+    float2 n = (float2)(g.nx, g.ny);
+    if (traits.TRAIT_MOTION != 0) n = turnedByPose(poseOf(bodyOf(w, traits.TRAIT_MOTION), boundary), g.nx, g.ny);
+    w->measured[k] = (float4)(n.x, n.y, g.gap, g.curve);
     w->piece[k].TOUCHED_FEATURE = g.feature;
     if (g.feature == AT_FACE) return false;
     if (g.feature == AT_NOTHING) {
@@ -126,19 +133,8 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
 // A way from the frame of a body to that of another one.
 float2 turnedWayTo(const World *w, int motion, int to, float2 d, int boundary) {
     if (motion == to) return d;
-    if (motion != 0) {
-        global const float *pose = poseOf(bodyOf(w, motion), boundary);
-        float cos_ = pose[BODY_COS];
-        float sin_ = pose[BODY_SIN];
-        d = (float2)(cos_ * d.x - sin_ * d.y, sin_ * d.x + cos_ * d.y);
-    }
-    if (to != 0) {
-        global const float *pose = poseOf(bodyOf(w, to), boundary);
-        float cos_ = pose[BODY_COS];
-        float sin_ = pose[BODY_SIN];
-        d = (float2)(cos_ * d.x + sin_ * d.y, cos_ * d.y - sin_ * d.x);
-    }
-    return d;
+    if (motion != 0) d = turnedByPose(poseOf(bodyOf(w, motion), boundary), d.x, d.y);
+    return to == 0 ? d : turnedBack(poseOf(bodyOf(w, to), boundary), d.x, d.y);
 }
 
 // Whether a piece is solid, and a circle on a side of it.
@@ -171,8 +167,7 @@ void coverTouched(const World *w, int k, int2 own, float r, int boundary) {
     float2 vertex = vertexOf(row, start);
     float2 e = (float2)(place.x - vertex.x, place.y - vertex.y);
     bool free = isFree(traits.TRAIT_SHAPE, start);
-#pragma unroll 1
-    for (int other = own.PIECES_FIRST; other < own.PIECES_FIRST + own.PIECES_COUNT; other++) {
+    EACH_PIECE(other, own) {
         if (other == k || !mayCover(w, other)) continue;
         float2 d = turnedWayTo(w, traits.TRAIT_MOTION, pieceTraits(w, w->piece[other].TOUCHED_PIECE).TRAIT_MOTION, e, boundary);
         if (coversOther(w, other, w->standing[other].STANDING_PLACE, d, row[PIECE_THICKNESS], free, r)) {
@@ -184,13 +179,10 @@ void coverTouched(const World *w, int k, int2 own, float r, int boundary) {
 
 // Measures all contacts of a circle, and forgets the impulses of those that are none there.
 void measurePieces(const World *w, int2 own, float4 c, float2 d, int boundary) {
-    int end = own.PIECES_FIRST + own.PIECES_COUNT;
     bool vertices = false;
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < end; k++) vertices |= measureTouched(w, k, c, d, boundary);
+    EACH_PIECE(k, own) vertices |= measureTouched(w, k, c, d, boundary);
     if (!vertices || own.PIECES_COUNT == 1) return;
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS, boundary);
+    EACH_PIECE(k, own) coverTouched(w, k, own, c.RADIUS, boundary);
 }
 
 // How fast the surface of a piece moves where a circle is nearest to it.
@@ -295,9 +287,7 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
 #ifdef RECORDING
     if (w->recording.pieces) {
         float slid = 0.0f;
-#ifdef TURNING
-        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, before - surface, spin);
-#endif
+        IF_TURNING(slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, before - surface, spin);)
         notePieceVisit(w, k, c, m->DISPLACEMENT, g, vnBefore, impulse + change, slid, surface);
     }
 #endif
@@ -311,21 +301,17 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
     m->VX += nx * change;
     m->VY += ny * change;
     w->push[k].PUSH_NORMAL = visited.normalImpulse;
-#ifdef TURNING
-    if (bounces) visitPieceRows(w, k, traits.TRAIT_KIND, g, along, &visited, bounce, m, turning);
-#endif
+    IF_TURNING(if (bounces) visitPieceRows(w, k, traits.TRAIT_KIND, g, along, &visited, bounce, m, turning);)
 }
 
 // The biased pass over the pieces of a circle. before: velocity before any impulse.
 void solvePieces(const World *w, int slot, float4 c, float restitution, float2 before, bool loaded,
                  float4 *m AND_TURNING(Turning *turning)) {
     int2 own = w->pieces[slot];
-    int end = own.PIECES_FIRST + own.PIECES_COUNT;
     measurePieces(w, own, c, m->DISPLACEMENT, w->subStep);
 #ifdef RECORDING
     if (w->recording.pieces && w->subStep == 0) {
-#pragma unroll 1
-        for (int k = own.PIECES_FIRST; k < end; k++) noteSensedStart(w, k);
+        EACH_PIECE(k, own) noteSensedStart(w, k);
     }
 #endif
 #ifdef TURNING
@@ -335,10 +321,8 @@ void solvePieces(const World *w, int slot, float4 c, float restitution, float2 b
     float spin = 0.0f;
 #endif
 #endif
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < end; k++) startPiece(w, k, c.RADIUS, m AND_TURNING(turning));
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < end; k++) {
+    EACH_PIECE(k, own) startPiece(w, k, c.RADIUS, m AND_TURNING(turning));
+    EACH_PIECE(k, own) {
         solvePiece(w, k, c, restitution, before, loaded, m AND_TURNING(turning) AND_TURNING(spin));
     }
 }
@@ -352,9 +336,7 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
     float gap = g.MEASURED_GAP;
     float bounce = w->standing[k].STANDING_BOUNCE;
     bool held = false;
-#ifdef TURNING
-    held = rowsHold(w->pieceRows[k]);
-#endif
+    IF_TURNING(held = rowsHold(w->pieceRows[k]);)
     if (gap > 0.0f && !(push.PUSH_NORMAL > 0.0f) && !(bounce > 0.0f) && !held) return;
     int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
     float2 surface =
@@ -365,17 +347,13 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
     float uy = m->VY - surface.y;
     float vn = nx * ux + ny * uy;
     Found f = foundOneBody(s, gap, c.RADIUS, restitutionAt(w, restitution, traits.TRAIT_KIND), s->thresholdRate, push.PUSH_NORMAL, loaded);
-#ifdef TURNING
-    f.held = held;
-#endif
+    IF_TURNING(f.held = held;)
     Visited visited;
     relaxOneBody(s, &f, bounce, vn, &visited);
 #ifdef RECORDING
     if (w->recording.pieces) {
         float slid = 0.0f;
-#ifdef TURNING
-        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, (float2)(ux, uy), turning->s);
-#endif
+        IF_TURNING(slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, (float2)(ux, uy), turning->s);)
         notePieceVisit(w, k, c, m->DISPLACEMENT, g, vn, visited.leaves ? 0.0f : visited.impulse, slid, surface);
     }
 #endif
@@ -384,16 +362,13 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
         m->VY += ny * visited.impulse;
         w->push[k].PUSH_NORMAL = bounce > 0.0f ? 0.0f : visited.normalImpulse; // that of a bounce is not kept
     }
-#ifdef TURNING
-    visitPieceRows(w, k, traits.TRAIT_KIND, g, nx * uy - ny * ux, &visited, bounce, m, turning);
-#endif
+    IF_TURNING(visitPieceRows(w, k, traits.TRAIT_KIND, g, nx * uy - ny * ux, &visited, bounce, m, turning);)
 }
 
 // The relaxing pass over the pieces of a circle, behind movePieces.
 void relaxPieces(const World *w, int slot, float4 c, float restitution, bool loaded, float4 *m AND_TURNING(Turning *turning)) {
     int2 own = w->pieces[slot];
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+    EACH_PIECE(k, own) {
         relaxPiece(w, k, c, restitution, loaded, m AND_TURNING(turning));
     }
 }
@@ -423,8 +398,7 @@ bool isCovered(const World *w, int2 own, float4 c, float2 from, float2 to, int k
     float thickness = pieceRow(w, piece)[PIECE_THICKNESS];
     int4 traits = pieceTraits(w, piece);
     bool free = isFree(traits.TRAIT_SHAPE, start);
-#pragma unroll 1
-    for (int other = own.PIECES_FIRST; other < own.PIECES_FIRST + own.PIECES_COUNT; other++) {
+    EACH_PIECE(other, own) {
         if (other == k || !mayCover(w, other)) continue;
         int under = w->piece[other].TOUCHED_PIECE;
         int motion = pieceTraits(w, under).TRAIT_MOTION;
@@ -441,8 +415,7 @@ Stop firstStop(const World *w, int2 own, float4 c, float2 from, float2 to, bool 
     Stop stop = {NONE, 1.0f, (float2)(0.0f)};
     bool fast = isLonger(to.x - from.x, to.y - from.y, CAP * c.RADIUS);
     if (!fast && !(moving && w->terrain[TERRAIN_BODIES] > 1)) return stop;
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+    EACH_PIECE(k, own) {
         int4 touched = w->piece[k];
         float side = w->push[k].PUSH_SIDE;
         int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
@@ -478,14 +451,9 @@ float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundar
     global const float *body = bodyOf(w, pieceTraits(w, piece).TRAIT_MOTION);
     global const float *pose = poseOf(body, boundary);
     float2 p = pivotOf(row);
-    float x = place.x - p.x;
-    float y = place.y - p.y;
-    float cos_ = pose[BODY_COS];
-    float sin_ = pose[BODY_SIN];
+    float2 at = turnedByPose(pose, place.x - p.x, place.y - p.y);
     float2 o = offsetOf(w, c, row);
-    float ox = o.x - p.x;
-    float oy = o.y - p.y;
-    return (float2)(((cos_ * x - sin_ * y) - ox) + pose[BODY_DX], ((sin_ * x + cos_ * y) - oy) + pose[BODY_DY]);
+    return (float2)((at.x - (o.x - p.x)) + pose[BODY_DX], (at.y - (o.y - p.y)) + pose[BODY_DY]);
 }
 
 // Where a circle would pass a piece, its move ends; a piece that moves takes it along. stopped: whether there was one. stopper: the contact at rest
@@ -515,8 +483,7 @@ float2 stopAtPieces(const World *w, int2 own, float4 c, float2 from, float2 to, 
 bool keepOut(const World *w, int2 own, float2 *d) {
     float outX = 0.0f;
     float outY = 0.0f;
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+    EACH_PIECE(k, own) {
         if (!isConstraint(w->piece[k])) continue;
         float4 g = w->measured[k];
         float out = w->standing[k].STANDING_ALLOWED - (g.MEASURED_GAP + (g.MEASURED_X * outX + g.MEASURED_Y * outY));
@@ -564,8 +531,7 @@ float2 movePieces(const World *w, int slot, float4 c, float2 from, float2 to) {
     }
     if (stopped) {
         // The circle touches what has stopped it, also where rounding leaves a gap: else it would stand there for ever.
-#pragma unroll 1
-        for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+        EACH_PIECE(k, own) {
             float gap = w->measured[k].MEASURED_GAP;
             if (gap <= GRAZE * c.RADIUS) w->measured[k].MEASURED_GAP = minf(gap, 0.0f);
         }
@@ -576,12 +542,9 @@ float2 movePieces(const World *w, int slot, float4 c, float2 from, float2 to) {
 // Ends the step; all goes home.
 void finalizePieces(const World *w, int slot) {
     int2 own = w->pieces[slot];
-#ifdef SLEEPING
-    if (own.PIECES_COUNT < 0) own.PIECES_COUNT = ~own.PIECES_COUNT; // see keepPieces
-#endif
+    IF_SLEEPING(if (own.PIECES_COUNT < 0) own.PIECES_COUNT = ~own.PIECES_COUNT;) // see keepPieces
     w->homePieces[slot] = own;
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+    EACH_PIECE(k, own) {
         w->homePiece[k] = w->piece[k].TOUCHED;
         w->homePush[k] = w->push[k];
         w->homePieceRows[k] = w->pieceRows[k];

@@ -11,9 +11,7 @@ typedef struct {
     float normalImpulse;
     float bounce; // in the relaxing pass: target speed from the biased pass
     bool loaded;  // whether one of its circles is
-#ifdef TURNING
-    bool held; // see Found
-#endif
+    IF_TURNING(bool held;) // see Found
 } Pair;
 
 // Contacts wait for each other only in visitPair: all else comes before.
@@ -23,12 +21,10 @@ typedef struct {
     Ready ready;
 } Visit;
 
-#ifdef SLEEPING
-// One that sleeps is pushed as if it gave way: else a circle that lies on a heap would push the heap.
-float massOfPair(const World *w, int lower, int higher) {
-    return effectiveMass(inverseMass(w->circle[lower].MASS), inverseMass(w->circle[higher].MASS));
+// One that sleeps is pushed as if it gave way: else a circle that lies on a heap would push the heap. p: slots; inverse masses: in traits.
+float massOfPair(const World *w, uint2 p, float invMassA, float invMassB) {
+    return effectiveMass(awakeInverseMass(w->circle[p.LOWER], invMassA), awakeInverseMass(w->circle[p.HIGHER], invMassB));
 }
-#endif
 
 INLINE Found foundPair(const StepConstants *k, const Pair *p) {
     Found f;
@@ -39,9 +35,7 @@ INLINE Found foundPair(const StepConstants *k, const Pair *p) {
     f.mass = p->mass;
     f.normalImpulse = p->normalImpulse;
     f.loaded = p->loaded;
-#ifdef TURNING
-    f.held = p->held;
-#endif
+    IF_TURNING(f.held = p->held;)
     return f;
 }
 
@@ -61,9 +55,7 @@ INLINE float readyToSolve(const StepConstants *k, const Pair *p, float2 before, 
     f.halfFall = halfFall(dotf(p->nx, p->ny, fall.x, fall.y), p->invMassA, p->invMassB);
     beginVisit(p, v);
     makeReadyToSolve(k, contactSoftness(k), &f, &v->ready);
-#ifdef SLEEPING
-    v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);
-#endif
+    IF_SLEEPING(v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);)
     return f.before;
 }
 
@@ -71,9 +63,7 @@ INLINE void readyToRelax(const StepConstants *k, const Pair *p, Visit *v) {
     Found f = foundPair(k, p);
     beginVisit(p, v);
     makeReadyToRelax(k, &f, p->bounce, &v->ready);
-#ifdef SLEEPING
-    v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);
-#endif
+    IF_SLEEPING(v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);)
 }
 
 INLINE void visitPair(const Visit *v, float2 va, float2 vb, bool relaxing, Visited *visited) {

@@ -65,9 +65,7 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     if (!visited.solved) *dx -= leftBehind(f.separation, vn, side * visited.impulse, k->dt, r);
     *stored = side * visited.normalImpulse;
     v = visited.leaves ? v : v + side * visited.impulse;
-#ifdef TURNING
-    if (bouncesFreely(&visited)) visitWallRows(w, turning, axis, side, wall, &v, along, &visited, *bounce);
-#endif
+    IF_TURNING(if (bouncesFreely(&visited)) visitWallRows(w, turning, axis, side, wall, &v, along, &visited, *bounce);)
     return v;
 }
 
@@ -78,29 +76,28 @@ float relaxWall(const World *w, int axis, float x, float dx, float v, float r, f
     int wall;
     Found f = foundWall(w, axis, x, dx, r, e, loaded, min, max, thresholdRate, *stored, &side, &wall);
     Visited visited;
-#ifdef TURNING
-    f.held = rowsHold(turning->walls[axis]);
-#endif
+    IF_TURNING(f.held = rowsHold(turning->walls[axis]);)
     relaxOneBody(&w->k, &f, bounce, side * v - speedFor(w, wall, r), &visited);
     // +0 at either wall after a bounce: the signs of zeros are state.
     if (visited.solved) *stored = bounce > 0.0f ? 0.0f : side * visited.normalImpulse;
     v = visited.leaves ? v : v + side * visited.impulse;
-#ifdef TURNING
-    if (!visited.still) visitWallRows(w, turning, axis, side, wall, &v, along, &visited, bounce);
-#endif
+    IF_TURNING(if (!visited.still) visitWallRows(w, turning, axis, side, wall, &v, along, &visited, bounce);)
     return v;
+}
+
+// Impulses of the rows of walls, of x in even, of y in odd; there are none if circles cannot rotate.
+INLINE WallRows wallRowsAt(const World *w, int slot) {
+#ifdef TURNING
+    return w->wallRows[slot];
+#else
+    return (WallRows)(0.0f);
+#endif
 }
 
 // Whether a wall acts, see actingImpulse. walls: impulses.
 bool wallsAct(const World *w, int slot, float2 walls) {
-    RowImpulses ofX = (RowImpulses)(0.0f);
-    RowImpulses ofY = (RowImpulses)(0.0f);
-#ifdef TURNING
-    WallRows rows = w->wallRows[slot];
-    ofX = rows.even;
-    ofY = rows.odd;
-#endif
-    return actingImpulse(fabs(walls.x), ofX) > 0.0f || actingImpulse(fabs(walls.y), ofY) > 0.0f;
+    WallRows rows = wallRowsAt(w, slot);
+    return actingImpulse(fabs(walls.x), rows.even) > 0.0f || actingImpulse(fabs(walls.y), rows.odd) > 0.0f;
 }
 
 #ifdef TURNING

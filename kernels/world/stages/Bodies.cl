@@ -33,9 +33,7 @@ void copyForBodies(const World *w, int slot, int id, global int *to) {
     vstore4(w->circle[slot], 2, row);
     vstore4(w->motion[slot], 3, row);
     vstore4(w->traits[slot], 4, row);
-#ifdef OWN_MOTION
-    vstore4(w->ownMotion[id], 5, row);
-#endif
+    IF_OWN_MOTION(vstore4(w->ownMotion[id], 5, row);)
     to[23] = w->turn[slot].ANGLE;
     vstore8(vload8(0, surfaceOfCircle(w, slot)), 3, row);
 }

@@ -84,17 +84,13 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeFirstCached[slot] = FRESH;
             w.slotOf[circleId] = slot;
             w.fields[circleId] = initial;
-#ifdef OWN_MOTION
-            w.ownMotion[circleId] = INITIAL_MOTION;
-#endif
+            IF_OWN_MOTION(w.ownMotion[circleId] = INITIAL_MOTION;)
 #ifdef TURNING
             w.homeTurn[slot] = (int2)(0);
             w.homeWallRows[slot] = (WallRows)(0.0f);
             w.homeOwn[slot] = INITIAL_OWN;
 #endif
-#ifdef TERRAIN
-            w.homePieces[slot] = (int2)(0);
-#endif
+            IF_TERRAIN(w.homePieces[slot] = (int2)(0);)
             break;
         case COMMAND_REMOVE:
             w.homeId[slot] = NONE;
@@ -103,9 +99,7 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
         case COMMAND_POSITION:
             w.homeCircle[slot].xy = (float2)(a, b);
             w.homeMotion[slot].DISPLACEMENT = (float2)(0.0f);
-#ifdef TERRAIN
-            w.homePieces[slot] = (int2)(0);
-#endif
+            IF_TERRAIN(w.homePieces[slot] = (int2)(0);)
             break;
         case COMMAND_VELOCITY:
             w.homeMotion[slot].VELOCITY = (float2)(a, b);
@@ -114,12 +108,8 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeCircle[slot].RADIUS = a;
             w.homeFirstCached[slot] = FRESH;
             w.homeTraits[slot].WALLS = (float2)(0.0f);
-#ifdef TURNING
-            w.homeWallRows[slot] = (WallRows)(0.0f);
-#endif
-#ifdef TERRAIN
-            w.homePieces[slot] = (int2)(0);
-#endif
+            IF_TURNING(w.homeWallRows[slot] = (WallRows)(0.0f);)
+            IF_TERRAIN(w.homePieces[slot] = (int2)(0);)
             break;
         case COMMAND_GROW:
             w.homeCircle[slot].RADIUS = a;
@@ -129,12 +119,8 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeTraits[slot].INVERSE_MASS = inverseMass(a);
             w.homeFirstCached[slot] = FRESH;
             w.homeTraits[slot].WALLS = (float2)(0.0f);
-#ifdef TURNING
-            w.homeWallRows[slot] = (WallRows)(0.0f);
-#endif
-#ifdef TERRAIN
-            w.homePieces[slot] = (int2)(0);
-#endif
+            IF_TURNING(w.homeWallRows[slot] = (WallRows)(0.0f);)
+            IF_TERRAIN(w.homePieces[slot] = (int2)(0);)
             break;
         case COMMAND_RESTITUTION:
             w.homeTraits[slot].RESTITUTION = a;
@@ -145,10 +131,8 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             break;
         case COMMAND_DEPART:
             w.homeTraits[slot].KEPT_VELOCITY = w.homeMotion[slot].VELOCITY;
-            w.homeMotion[slot].VX = travelSpeed(w.homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]),
-                                             as_float(record[COMMAND_FOURTH]));
-            w.homeMotion[slot].VY = travelSpeed(w.homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]),
-                                             as_float(record[COMMAND_FIFTH]));
+            w.homeMotion[slot].VX = travelSpeed(w.homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]), as_float(record[COMMAND_FOURTH]));
+            w.homeMotion[slot].VY = travelSpeed(w.homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]), as_float(record[COMMAND_FIFTH]));
             break;
         case COMMAND_ARRIVE:
             w.homeCircle[slot].xy = (float2)(a, b);
@@ -184,10 +168,8 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             ((global int *) (w.fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
             break;
         }
-#ifdef SLEEPING
-        if (wakes || record[COMMAND_OPCODE] == COMMAND_ADD) w.homeSleep[slot] = restarted(w.homeCircle[slot], w.homeMotion[slot]);
-        changed[2 * r + 1] = changedBehind(record, w.homeCircle[slot]);
-#endif
+        IF_SLEEPING(if (wakes || record[COMMAND_OPCODE] == COMMAND_ADD) w.homeSleep[slot] = restarted(w.homeCircle[slot], w.homeMotion[slot]);)
+        IF_SLEEPING(changed[2 * r + 1] = changedBehind(record, w.homeCircle[slot]);)
     }
 }
 
@@ -232,11 +214,7 @@ kernel void commands_confine(global const int *homeId, global float4 *homeCircle
     int slot = (int) get_global_id(0);
     if (slot >= slots || homeId[slot] < 0) return;
     float4 c = homeCircle[slot];
-#ifdef SLEEPING
-    float edge = inverseMass(c.MASS) == 0.0f ? 0.0f : c.RADIUS;
-#else
-    float edge = homeTraits[slot].INVERSE_MASS == 0.0f ? 0.0f : c.RADIUS;
-#endif
+    float edge = awakeInverseMass(c, homeTraits[slot].INVERSE_MASS) == 0.0f ? 0.0f : c.RADIUS;
     float x = clampf(c.x, minX + marginAtWall(fromMinX, minX, edge), maxX - marginAtWall(fromMaxX, maxX, edge));
     float y = clampf(c.y, minY + marginAtWall(fromMinY, minY, edge), maxY - marginAtWall(fromMaxY, maxY, edge));
     if (x != c.x) {

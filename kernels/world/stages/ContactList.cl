@@ -70,9 +70,7 @@ void recordFindings(const World *w, local Findings *found, bool oneLevel) {
 
 // Piece contacts have as much room.
 bool lackContactRoom(const World *w) {
-#ifdef TERRAIN
-    if (w->status[PIECES_FOUND] > w->contactRoom) return true;
-#endif
+    IF_TERRAIN(if (w->status[PIECES_FOUND] > w->contactRoom) return true;)
 #ifdef SLEEPING
     // Impulses of pairs at rest come behind those of contacts.
     return contactsListed(w) + w->status[KEPT_COUNT] > w->contactRoom;

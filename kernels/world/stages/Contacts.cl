@@ -30,11 +30,7 @@ float4 fillContact(const World *w, int c, bool *carrying) {
     float4 n = newContact(w, p, w->key[c], b, rowsAt(w, c), carrying);
     float invMassA = w->traits[p.LOWER].INVERSE_MASS;
     float invMassB = w->traits[p.HIGHER].INVERSE_MASS;
-#ifdef SLEEPING
-    float mass = massOfPair(w, (int) p.LOWER, (int) p.HIGHER);
-#else
-    float mass = effectiveMass(invMassA, invMassB);
-#endif
+    float mass = massOfPair(w, p, invMassA, invMassB);
     w->base[c] = b;
     w->masses[c] = (float4)(invMassA, invMassB, mass, 0.0f);
     w->contact[c] = n;

@@ -104,10 +104,8 @@ void visitCrossRows(const World *w, int c, const Cross *x, const Visit *visit_, 
 
 void fillCrossContact(const World *w, int c, int light) {
     Cross x = crossOf(w, c, light);
-#ifdef TURNING
-    fillRows(w, c, w->pair[c], (int) w->key[c], x.light, x.heavy, crossShare(w->crossLoad[x.heavy]));
-    gatherCrossSpin(w, c, &x);
-#endif
+    IF_TURNING(fillRows(w, c, w->pair[c], (int) w->key[c], x.light, x.heavy, crossShare(w->crossLoad[x.heavy]));)
+    IF_TURNING(gatherCrossSpin(w, c, &x);)
     bool carrying;
     float4 n = fillContact(w, c, &carrying);
     if (w->k.tiled) w->ordered[c] = w->pair[c];
@@ -136,12 +134,8 @@ void visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, bo
     float invLight = x->isLightLower ? p->invMassA : p->invMassB;
     float invHeavy = x->isLightLower ? p->invMassB : p->invMassA;
     float2 heavy = w->motion[x->heavy].VELOCITY;
-#ifdef SLEEPING
-    visit_->ready.mass = crossMass(inverseMass(w->circle[x->light].MASS), inverseMass(w->circle[x->heavy].MASS),
+    visit_->ready.mass = crossMass(awakeInverseMass(w->circle[x->light], invLight), awakeInverseMass(w->circle[x->heavy], invHeavy),
                                    crossShare(w->crossLoad[x->heavy])); // see massOfPair
-#else
-    visit_->ready.mass = crossMass(invLight, invHeavy, crossShare(w->crossLoad[x->heavy]));
-#endif
     visitPair(visit_, x->isLightLower ? *v : heavy, x->isLightLower ? heavy : *v, relaxing, visited);
     if (!visited->leaves && !visited->solved) {
         float separation = relaxing ? p->separation : p->separation + visited->vn * w->k.h;
@@ -162,13 +156,9 @@ void solveCrossContact(const World *w, int c, int light, float2 *v AND_TURNING(f
     Visit visit_;
     Visited visited;
     Pair p = takeToSolve(w, c, w->pair[c], &visit_);
-#ifdef TURNING
-    float along = crossSpeedAlong(w, &x, (float2)(p.nx, p.ny), *v);
-#endif
+    IF_TURNING(float along = crossSpeedAlong(w, &x, (float2)(p.nx, p.ny), *v);)
     visitCross(w, &x, &p, &visit_, false, v, &visited);
-#ifdef TURNING
-    if (bouncesFreely(&visited)) visitCrossRows(w, c, &x, &visit_, &visited, along, v, s);
-#endif
+    IF_TURNING(if (bouncesFreely(&visited)) visitCrossRows(w, c, &x, &visit_, &visited, along, v, s);)
     keepSolved(w, c, &visit_, &visited);
 }
 
@@ -178,20 +168,14 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AN
     Visit visit_;
     Visited visited;
     Pair p = takeToRelax(w, c, pr, w->motion[pr.LOWER], w->motion[pr.HIGHER], &visit_);
-#ifdef TURNING
-    float along = crossSpeedAlong(w, &x, (float2)(p.nx, p.ny), *v);
-#endif
+    IF_TURNING(float along = crossSpeedAlong(w, &x, (float2)(p.nx, p.ny), *v);)
     visitCross(w, &x, &p, &visit_, true, v, &visited);
-#ifdef TURNING
-    if (!visited.still) visitCrossRows(w, c, &x, &visit_, &visited, along, v, s);
-#endif
+    IF_TURNING(if (!visited.still) visitCrossRows(w, c, &x, &visit_, &visited, along, v, s);)
     if (last) {
         storeVisited(w, c, pr, &visited);
     } else if (carriesOn(&visit_, &visited, rowsAt(w, c))) {
         gatherCrossLoad(w, &x, loadOf(w, c, (float2)(p.nx, p.ny), visited.normalImpulse), true);
-#ifdef TURNING
-        gatherCrossSpin(w, c, &x);
-#endif
+        IF_TURNING(gatherCrossSpin(w, c, &x);)
     }
     keepRelaxed(w, c, &p, &visit_, &visited);
 }
@@ -200,14 +184,10 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AN
 void leaveLight(const World *w, int slot, float2 v AND_TURNING(float s)) {
     if (w->crossLoad[slot] > 0) {
         w->lightVelocity[slot] = v;
-#ifdef TURNING
-        w->lightSpin[slot] = s;
-#endif
+        IF_TURNING(w->lightSpin[slot] = s;)
     } else {
         w->motion[slot].VELOCITY = v;
-#ifdef TURNING
-        crossSpeeds(w)[slot] = s;
-#endif
+        IF_TURNING(crossSpeeds(w)[slot] = s;)
     }
 }
 
@@ -217,9 +197,7 @@ INLINE void passCrossOf(const World *w, int slot, bool relaxing, bool last) {
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
     if (from == to) return;
     float2 v = w->motion[slot].VELOCITY;
-#ifdef TURNING
-    float s = crossSpeeds(w)[slot];
-#endif
+    IF_TURNING(float s = crossSpeeds(w)[slot];)
     for (int c = from; c < to; c++) {
         if (relaxing) {
             relaxCrossContact(w, c, slot, last, &v AND_TURNING(&s));
@@ -298,9 +276,7 @@ void takeSums(const World *w, int slot, bool velocities, bool impulses, float4 *
         w->claim[slot] = 0;
     }
     w->heavySum[slot] = (long4)(0);
-#ifdef TURNING
-    takeSpinSums(w, slot, velocities, impulses);
-#endif
+    IF_TURNING(takeSpinSums(w, slot, velocities, impulses);)
 }
 
 // Index space: slots.

@@ -320,9 +320,7 @@ kernel void events_begin(EVENT_PARAMETERS) {
 
 kernel void events_end(EVENT_PARAMETERS KINDS_OF_PIECES WHO_SLEEPS) {
     EVENTS_IN(w)
-#ifdef TERRAIN
-    w.terrain = kindMotion + TERRAIN_AT;
-#endif
+    IF_TERRAIN(w.terrain = kindMotion + TERRAIN_AT;)
 #ifdef SLEEPING
     w.slotOf = slotOf;
     w.homeTraits = homeTraits;

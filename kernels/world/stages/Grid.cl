@@ -14,9 +14,7 @@ void startStep(const World *w) {
     w->status[TILES_LISTED] = 0;
     w->status[TILES_CUT] = 0;
     w->status[FOUND] = 0;
-#ifdef TERRAIN
-    w->status[PIECES_FOUND] = 0;
-#endif
+    IF_TERRAIN(w->status[PIECES_FOUND] = 0;)
 #ifdef SLEEPING
     w->status[SLEEPERS] = 0;
     w->status[RESTLESS] = 0;
@@ -53,11 +51,7 @@ int sheetKeyOfSlot(const World *w, int slot) {
     float4 c = w->homeCircle[slot];
     int level = levelOf(w, c.RADIUS);
     int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetOf(axisX(w, level), c.x), sheetOf(axisY(w, level), c.y)) : 0;
-#ifdef SLEEPING
-    float own = inverseMass(c.MASS); // who sleeps may wake within the step
-#else
-    float own = w->homeTraits[slot].INVERSE_MASS;
-#endif
+    float own = awakeInverseMass(c, w->homeTraits[slot].INVERSE_MASS); // who sleeps may wake within the step
     return key + (own == 0.0f ? 1 : 0);
 }
 
@@ -193,22 +187,16 @@ bool gatherCircle(const World *w, int i) {
     workingSlotOf(w)[from] = slot;
 #endif
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
-#ifdef TURNING
-    gatherTurning(w, slot, from, listed.LISTED_ID, c, t.INVERSE_MASS);
-    w->heavySpin[slot] = (long2)(0);
-#endif
-#ifdef TERRAIN
-    w->pieces[slot] = w->homePieces[from];
-#endif
+    IF_TURNING(gatherTurning(w, slot, from, listed.LISTED_ID, c, t.INVERSE_MASS);)
+    IF_TURNING(w->heavySpin[slot] = (long2)(0);)
+    IF_TERRAIN(w->pieces[slot] = w->homePieces[from];)
     if (!hasOneLevel(w)) {
         w->crossLoad[slot] = 0;
         w->claim[slot] = 0;
         w->coarser[slot] = 0;
         w->heavySum[slot] = (long4)(0);
     }
-#ifdef SLEEPING
-    gatherSleep(w, slot, from);
-#endif
+    IF_SLEEPING(gatherSleep(w, slot, from);)
     return describeCircle(w, slot, listed.LISTED_ID, c, m, t.INVERSE_MASS);
 }
 
@@ -230,16 +218,12 @@ kernel void grid_gather(WORLD_PARAMETERS WAKING_PARAMETER) {
     local int fast;
     int i = (int) get_global_id(0);
     if (get_local_id(0) == 0) fast = 0;
-#ifdef SLEEPING
-    local int sleepers;
-    if (get_local_id(0) == 0) sleepers = 0;
-#endif
+    IF_SLEEPING(local int sleepers;)
+    IF_SLEEPING(if (get_local_id(0) == 0) sleepers = 0;)
     barrier(CLK_LOCAL_MEM_FENCE);
     if (i < circles && !gridIsEmpty(&w)) {
         if (gatherCircle(&w, i)) fast = 1;
-#ifdef SLEEPING
-        if (isAsleep(w.homeSleep[w.order[i].LISTED_SLOT].REST)) sleepers = 1;
-#endif
+        IF_SLEEPING(if (isAsleep(w.homeSleep[w.order[i].LISTED_SLOT].REST)) sleepers = 1;)
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0 && fast) status[FAST] = 1;

@@ -21,6 +21,13 @@ void takeTraits(const World *w, int joint, JointVisit *v) {
     v->traits[1] = traits[1];
 }
 
+void takeRows(const World *w, int joint, JointVisit *v) {
+    global const float4 *row = jointVectors(w, w->joints->rows) + 3 * joint;
+    for (int k = 0; k < 3; k++) v->row[k] = row[k];
+    v->kept[0] = keptOf(w, joint)[0];
+    v->kept[1] = keptOf(w, joint)[1];
+}
+
 void takeSpring(const World *w, JointVisit *v) {
     v->spring[0] = (float4)(0.0f);
     if (holds(v, HOLD_ELASTIC) || angularOf(v) == HOLD_TURN_ANGLE) {
@@ -41,7 +48,6 @@ bool jointRests(const World *w, int2 ends) {
            (ends.y == NONE || w->traits[ends.y].INVERSE_MASS == 0.0f);
 }
 
-float ownInverseMass(const World *w, int slot) { return inverseMass(w->circle[slot].MASS); }
 #ifdef TURNING
 float ownInverseInertia(const World *w, int slot) {
     return ownInverseMass(w, slot) * w->surfaces[SURFACE_STRIDE * w->fields[w->id[slot]].kind + SURFACE_INERTIA];
@@ -140,9 +146,7 @@ kernel void joints_begin(WORLD_PARAMETERS) {
 
 // By how much an impulse moves an end.
 float givenMass(const JointEnd *e) {
-#ifdef SLEEPING
-    if (e->still) return 0.0f;
-#endif
+    IF_SLEEPING(if (e->still) return 0.0f;)
     return e->inverseMass;
 }
 
@@ -180,11 +184,8 @@ void takeAnchor(const World *w, int row, int boundary, JointEnd *e) {
 // What a joint is, and where its ends are.
 void takeJoint(const World *w, int place, int2 ends, int boundary, bool solving, JointVisit *v) {
     int joint = jointAt(w, place);
-    global const float4 *row = jointVectors(w, w->joints->rows) + 3 * joint;
-    for (int k = 0; k < 3; k++) v->row[k] = row[k];
     takeTraits(w, joint, v);
-    v->kept[0] = keptOf(w, joint)[0];
-    v->kept[1] = keptOf(w, joint)[1];
+    takeRows(w, joint, v);
     takeSpring(w, v);
     v->h = w->k.h;
     v->inverseH = w->k.inverseH;
@@ -211,10 +212,8 @@ void takeWork(const World *w, int place, JointVisit *v) {
     float4 line = work[0];
     float4 masses = work[1];
     float2 shares = work[2].xy;
-#ifdef SLEEPING
-    v->a.still = ((int) work[2].w & JOINT_STILL_A) != 0;
-    v->b.still = ((int) work[2].w & JOINT_STILL_B) != 0;
-#endif
+    IF_SLEEPING(v->a.still = ((int) work[2].w & JOINT_STILL_A) != 0;)
+    IF_SLEEPING(v->b.still = ((int) work[2].w & JOINT_STILL_B) != 0;)
     v->most = work[2].z;
     v->baseX = line.x;
     v->baseY = line.y;
@@ -222,10 +221,8 @@ void takeWork(const World *w, int place, JointVisit *v) {
     v->normalY = line.w;
     v->a.inverseMass = masses.x;
     v->b.inverseMass = masses.y;
-#ifdef TURNING
-    v->a.inverseInertia = masses.z;
-    v->b.inverseInertia = masses.w;
-#endif
+    IF_TURNING(v->a.inverseInertia = masses.z;)
+    IF_TURNING(v->b.inverseInertia = masses.w;)
     v->a.share = shares.x;
     v->b.share = shares.y;
 }
@@ -243,26 +240,20 @@ void beginWork(const World *w, int place, int2 ends, float2 shares, JointVisit *
         b.xy = (float2)(v->ROW_ANCHOR_X, v->ROW_ANCHOR_Y);
     }
     float4 masses = (float4)(w->traits[ends.x].INVERSE_MASS, hasB ? w->traits[ends.y].INVERSE_MASS : 0.0f, 0.0f, 0.0f);
-#ifdef TURNING
-    masses.z = w->inverseInertia[ends.x];
-    masses.w = hasB ? w->inverseInertia[ends.y] : 0.0f;
-#endif
+    IF_TURNING(masses.z = w->inverseInertia[ends.x];)
+    IF_TURNING(masses.w = hasB ? w->inverseInertia[ends.y] : 0.0f;)
     int flags = relaxes(v) ? JOINT_RELAXES : 0;
 #ifdef SLEEPING
     // A circle that sleeps is pulled as if it would give way.
     if (isStill(w, ends.x)) {
         flags |= JOINT_STILL_A;
         masses.x = ownInverseMass(w, ends.x);
-#ifdef TURNING
-        masses.z = ownInverseInertia(w, ends.x);
-#endif
+        IF_TURNING(masses.z = ownInverseInertia(w, ends.x);)
     }
     if (isStill(w, ends.y)) {
         flags |= JOINT_STILL_B;
         masses.y = ownInverseMass(w, ends.y);
-#ifdef TURNING
-        masses.w = ownInverseInertia(w, ends.y);
-#endif
+        IF_TURNING(masses.w = ownInverseInertia(w, ends.y);)
     }
 #endif
     global float4 *work = workOf(w, place);
@@ -300,17 +291,13 @@ void giveToLoads(const World *w, int2 ends, const JointVisit *v) {
         global float *sum = (global float *) (w->load + ends.x) + IMPULSES_AT;
         sum[0] -= v->pushX;
         sum[1] -= v->pushY;
-#ifdef TURNING
-        if (turnsEnds(v)) w->spinImpulse[ends.x] += spinOfA(v);
-#endif
+        IF_TURNING(if (turnsEnds(v)) w->spinImpulse[ends.x] += spinOfA(v);)
     }
     if (givenMass(&v->b) != 0.0f) {
         global float *sum = (global float *) (w->load + ends.y) + IMPULSES_AT;
         sum[0] += v->pushX;
         sum[1] += v->pushY;
-#ifdef TURNING
-        if (turnsEnds(v)) w->spinImpulse[ends.y] += spinOfB(v);
-#endif
+        IF_TURNING(if (turnsEnds(v)) w->spinImpulse[ends.y] += spinOfB(v);)
     }
 }
 
@@ -339,9 +326,7 @@ void addToSum(const World *w, int number, int slot, bool speeds, float x, float 
     global long *sums = jointSums(w, number, speeds);
     addFixed(sums, toFixed(x, scale));
     addFixed(sums + 1, toFixed(y, scale));
-#ifdef TURNING
-    addFixed(sums + 2, toFixed(spin, scale));
-#endif
+    IF_TURNING(addFixed(sums + 2, toFixed(spin, scale));)
 }
 
 // Adds what a visit gives to the sums: impulses, or the speeds that they make.
@@ -471,9 +456,7 @@ void takeJointSums(const World *w, int number, bool speeds, bool impulses) {
             float unit = unitOf(jointRange(w, slot, true));
             float2 v = w->motion[slot].VELOCITY;
             w->motion[slot].VELOCITY = (float2)(v.x + fromFixed(sums[0], unit), v.y + fromFixed(sums[1], unit));
-#ifdef TURNING
-            crossSpeeds(w)[slot] += fromFixed(sums[2], unit);
-#endif
+            IF_TURNING(crossSpeeds(w)[slot] += fromFixed(sums[2], unit);)
         }
         sums[0] = sums[1] = sums[2] = 0;
     }
@@ -484,9 +467,7 @@ void takeJointSums(const World *w, int number, bool speeds, bool impulses) {
             global float *sum = (global float *) (w->load + slot) + IMPULSES_AT;
             sum[0] += fromFixed(sums[0], unit);
             sum[1] += fromFixed(sums[1], unit);
-#ifdef TURNING
-            w->spinImpulse[slot] += fromFixed(sums[2], unit);
-#endif
+            IF_TURNING(w->spinImpulse[slot] += fromFixed(sums[2], unit);)
         }
         sums[0] = sums[1] = sums[2] = 0;
     }

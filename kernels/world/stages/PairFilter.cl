@@ -37,9 +37,7 @@ bool areParted(const World *w, int id, int otherId) {
 // Of two static circles neither moves.
 bool mayMeet(const World *w, int slot, float invMassA, int other, float invMassB) {
     if (invMassA == 0.0f && invMassB == 0.0f) return false;
-#ifdef JOINTS
-    if (areParted(w, w->id[slot], w->id[other])) return false;
-#endif
+    IF_JOINTS(if (areParted(w, w->id[slot], w->id[other])) return false;)
     // Sensing.cl finds pairs that are only sensed.
     return w->k.filtering == 0 || responseOf(w, w->id[slot], w->id[other]) == PAIR_SOLID;
 }

@@ -190,9 +190,7 @@ void findPieces(const World *w, int slot) {
     int2 old = w->pieces[slot];
     w->pieces[slot] = (int2)(0);
     if (w->sight[slot].SIGHT_INVERSE_MASS == 0.0f) {
-#ifdef SLEEPING
-        keepPieces(w, slot, old);
-#endif
+        IF_SLEEPING(keepPieces(w, slot, old);)
         return;
     }
     float2 way = w->motionClamp[slot].PATH;

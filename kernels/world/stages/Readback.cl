@@ -1,14 +1,12 @@
 // uses: world/shared/Sleep.cl world/stages/World.cl
 // The state by id, for one copy to the host. Index space: slots at home.
 
-kernel void readback_circles(global const int *homeId, global const float4 *homeCircle, int slots,
-                             global float4 *byId) {
+kernel void readback_circles(global const int *homeId, global const float4 *homeCircle, int slots, global float4 *byId) {
     int slot = (int) get_global_id(0);
     if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeCircle[slot];
 }
 
-kernel void readback_positions(global const int *homeId, global const float4 *homeCircle, int slots,
-                               global float2 *byId) {
+kernel void readback_positions(global const int *homeId, global const float4 *homeCircle, int slots, global float2 *byId) {
     int slot = (int) get_global_id(0);
     if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeCircle[slot].xy;
 }
@@ -23,16 +21,14 @@ kernel void readback_request(global const int *homeId, global const float4 *home
 
 #ifdef TURNING
 // velocities: angular velocities, not angles.
-kernel void readback_turns(global const int *homeId, global const int2 *homeTurn, int slots, global int *byId,
-                           int velocities) {
+kernel void readback_turns(global const int *homeId, global const int2 *homeTurn, int slots, global int *byId, int velocities) {
     int slot = (int) get_global_id(0);
     if (slot >= slots || homeId[slot] < 0) return;
     byId[homeId[slot]] = velocities ? homeTurn[slot].ANGULAR_VELOCITY : homeTurn[slot].ANGLE;
 }
 #endif
 
-kernel void readback_velocities(global const int *homeId, global const float4 *homeMotion, int slots,
-                                global float2 *byId) {
+kernel void readback_velocities(global const int *homeId, global const float4 *homeMotion, int slots, global float2 *byId) {
     int slot = (int) get_global_id(0);
     if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeMotion[slot].VELOCITY;
 }

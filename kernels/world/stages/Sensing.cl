@@ -70,19 +70,34 @@ void tellOfSensed(const World *w, const Sensed *a, const Sensed *b) {
     tell(w, &told, approachSpeed(vn), 0.0f, vn, (float2)(nx, ny), point, 0.0f);
 }
 
+void tellOfBothSensed(const World *w, const Sensed *a, const Sensed *b) {
+    if (a->id < b->id) {
+        tellOfSensed(w, a, b);
+    } else {
+        tellOfSensed(w, b, a);
+    }
+}
+
+// Whether circles of a kind look for those of another.
+int seekingOf(global const int *seeking, int kind, int other) { return (seeking[kind << 4 | other >> 4] >> 2 * (other & 15)) & 3; }
+
+// The cells around the path of a circle.
+CellRange cellsToSense(const World *w, const Sensed *s, int level) {
+    float toX = s->x + s->px;
+    float toY = s->y + s->py;
+    float margin = sensorMargin(s->r, s->path, w->levels->top[level]);
+    return cellsAround(w, level, minf(s->x, toX) - margin, maxf(s->x, toX) + margin, minf(s->y, toY) - margin, maxf(s->y, toY) + margin);
+}
+
 void senseIn(const World *w, global const float2 *start, global const int *seeking, const Sensed *s, int from, int to) {
     for (int slot = from; slot < to; slot++) {
         CircleFields fields = w->fields[w->homeId[slot]];
-        int row = (seeking[s->fields.kind << 4 | fields.kind >> 4] >> 2 * (fields.kind & 15)) & 3;
+        int row = seekingOf(seeking, s->fields.kind, fields.kind);
         if (row == SENSOR_NONE || slot == s->slot) continue;
         if (areOfOneGroup(fields, s->fields)) continue;
         Sensed o = sensedAt(w, start, slot);
         if ((s->isStatic && o.isStatic) || !findsSensed(row, s->isFast, s->path, s->id, o.isFast, o.path, o.id)) continue;
-        if (s->id < o.id) {
-            tellOfSensed(w, s, &o);
-        } else {
-            tellOfSensed(w, &o, s);
-        }
+        tellOfBothSensed(w, s, &o);
     }
 }
 
@@ -97,13 +112,8 @@ kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global co
     if (part == 0) return;
     Sensed s = sensedAt(&w, start, slot);
     if (!s.isFast && !(part & SEEKS_ANY)) return;
-    float toX = s.x + s.px;
-    float toY = s.y + s.py;
     for (int l = 0; l < levels->usedCount; l++) {
-        int level = levels->used[l];
-        float margin = sensorMargin(s.r, s.path, levels->top[level]);
-        CellRange range = cellsAround(&w, level, minf(s.x, toX) - margin, maxf(s.x, toX) + margin, minf(s.y, toY) - margin,
-                                      maxf(s.y, toY) + margin);
+        CellRange range = cellsToSense(&w, &s, levels->used[l]);
         CellCursor at = firstCells(&range);
         int2 found;
         while (nextCells(&w, &range, &at, !s.isStatic, &found)) senseIn(&w, start, seeking, &s, found.x, found.y);

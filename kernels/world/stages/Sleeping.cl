@@ -9,9 +9,6 @@
 
 #ifdef SLEEPING
 bool sleeps(const World *w, int slot) { return isAsleep(w->sleep[slot].REST); }
-#ifndef JOINTS
-float ownInverseMass(const World *w, int slot) { return inverseMass(w->circle[slot].MASS); }
-#endif
 
 // What gravity and a force add to a circle's speed in a sub-step, if nothing holds it.
 float ownGain(const World *w, int slot) {
@@ -27,9 +24,7 @@ int responseAt(const World *w, int slot, int other) {
 
 // Whether two circles would meet, if one of them moves.
 bool wouldMeet(const World *w, int slot, int other) {
-#ifdef JOINTS
-    if (areParted(w, w->id[slot], w->id[other])) return false;
-#endif
+    IF_JOINTS(if (areParted(w, w->id[slot], w->id[other])) return false;)
     return responseAt(w, slot, other) == PAIR_SOLID;
 }
 
@@ -202,10 +197,7 @@ kernel void sleeping_press(WORLD_PARAMETERS) {
 bool takeHeld(const World *w, int joint, JointVisit *v) {
     takeTraits(w, joint, v);
     if (*jointSerial(w, joint) != v->HOLD_SERIAL) return false;
-    global const float4 *row = jointVectors(w, w->joints->rows) + 3 * joint;
-    for (int k = 0; k < 3; k++) v->row[k] = row[k];
-    v->kept[0] = keptOf(w, joint)[0];
-    v->kept[1] = keptOf(w, joint)[1];
+    takeRows(w, joint, v);
     return true;
 }
 
@@ -325,9 +317,7 @@ bool takesAlongBehind(const World *w, const JointVisit *v, int id) {
     if (id == NONE) return false;
     int slot = w->slotOf[id];
     bool turns = false;
-#ifdef TURNING
-    turns = as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;
-#endif
+    IF_TURNING(turns = as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;)
     return takesAlong(v, w->homeCircle[slot], w->homeMotion[slot].VELOCITY, turns);
 }
 
@@ -390,23 +380,17 @@ float sideOfPush(float impulse, float nearer) { return impulse == 0.0f ? nearer 
 void pressByWalls(const World *w, int slot, float own, float scale, Pressed *p) {
     float2 walls = w->traits[slot].WALLS;
     float4 c = w->circle[slot];
-    RowImpulses ofX = (RowImpulses)(0.0f);
-    RowImpulses ofY = (RowImpulses)(0.0f);
-#ifdef TURNING
-    WallRows rows = w->wallRows[slot];
-    ofX = rows.even;
-    ofY = rows.odd;
-#endif
+    WallRows rows = wallRowsAt(w, slot);
     float sideX = sideOfPush(walls.x, wallSide(c.x, w->k.minX, w->k.maxX));
     float sideY = sideOfPush(walls.y, wallSide(c.y, w->k.minY, w->k.maxY));
-    float loadX = actingImpulse(fabs(walls.x), ofX);
-    float loadY = actingImpulse(fabs(walls.y), ofY);
-    addSpin(p, scale, ofX, own);
-    addSpin(p, scale, ofY, own);
-    p->x += toFixed(sideX * impulseAlongNormal(fabs(walls.x), ofX) / own, scale);
-    p->y += toFixed(loadX > 0.0f ? tangentAlong(0, sideX) * tangentImpulse(ofX) / own : 0.0f, scale);
-    p->y += toFixed(sideY * impulseAlongNormal(fabs(walls.y), ofY) / own, scale);
-    p->x += toFixed(loadY > 0.0f ? tangentAlong(1, sideY) * tangentImpulse(ofY) / own : 0.0f, scale);
+    float loadX = actingImpulse(fabs(walls.x), rows.even);
+    float loadY = actingImpulse(fabs(walls.y), rows.odd);
+    addSpin(p, scale, rows.even, own);
+    addSpin(p, scale, rows.odd, own);
+    p->x += toFixed(sideX * impulseAlongNormal(fabs(walls.x), rows.even) / own, scale);
+    p->y += toFixed(loadX > 0.0f ? tangentAlong(0, sideX) * tangentImpulse(rows.even) / own : 0.0f, scale);
+    p->y += toFixed(sideY * impulseAlongNormal(fabs(walls.y), rows.odd) / own, scale);
+    p->x += toFixed(loadY > 0.0f ? tangentAlong(1, sideY) * tangentImpulse(rows.odd) / own : 0.0f, scale);
     p->load += toFixed(loadX / own, scale);
     p->load += toFixed(loadY / own, scale);
 }
@@ -453,9 +437,7 @@ bool wakeSlot(const World *w, int slot, int ring) {
     float own = inverseMass(c.MASS);
     w->sleep[slot] = (int4)(0, as_int(0.0f - m.DX), as_int(0.0f - m.DY), 0);
     w->traits[slot].INVERSE_MASS = own;
-#ifdef TURNING
-    w->inverseInertia[slot] = own * w->surfaces[SURFACE_STRIDE * w->fields[w->id[slot]].kind + SURFACE_INERTIA];
-#endif
+    IF_TURNING(w->inverseInertia[slot] = own * w->surfaces[SURFACE_STRIDE * w->fields[w->id[slot]].kind + SURFACE_INERTIA];)
     return describeCircle(w, slot, w->id[slot], c, m, own);
 }
 
@@ -470,12 +452,8 @@ bool wakes(const World *w, int slot) {
     Pressed p = {sums.x, sums.y, sums.z, sums.w};
     pressByWalls(w, slot, own, scale, &p);
     bool moved = wallsMoveNear(w, 0, c.x, c.RADIUS, w->k.minX, w->k.maxX) || wallsMoveNear(w, 1, c.y, c.RADIUS, w->k.minY, w->k.maxY);
-#ifdef TURNING
-    moved = moved || (w->surfaces[SURFACE_OWN] != 0.0f && w->own[slot].OWN_TORQUE != 0.0f);
-#endif
-#ifdef TERRAIN
-    if (pressByPieces(w, slot, own, scale, &p)) moved = true;
-#endif
+    IF_TURNING(moved = moved || (w->surfaces[SURFACE_OWN] != 0.0f && w->own[slot].OWN_TORQUE != 0.0f);)
+    IF_TERRAIN(if (pressByPieces(w, slot, own, scale, &p)) moved = true;)
     float unit = unitOf(range);
     float load = fromFixed(p.load, unit);
     float2 g = gainOf(w, w->id[slot], own);
@@ -667,9 +645,7 @@ kernel __attribute__((reqd_work_group_size(SLEEPING_GROUP, 1, 1))) void sleeping
             passOnBetween(&w, jointAt(&w, place), ring, to, &count);
         }
 #endif
-#ifdef BODIES
-        for (int i = item; i < touchedCount && !idle; i += SLEEPING_GROUP) reachByBody(&w, rowOfSleeper(touched, i), to, &count);
-#endif
+        IF_BODIES(for (int i = item; i < touchedCount && !idle; i += SLEEPING_GROUP) reachByBody(&w, rowOfSleeper(touched, i), to, &count);)
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         woken = count;
         for (int i = item; i < woken; i += SLEEPING_GROUP) {
@@ -710,9 +686,7 @@ void keepImpulses(const World *w, int slot) {
             int place = atomic_inc(&w->status[KEPT_COUNT]);
             if (place < w->contactRoom) {
                 w->kept[place] = (int4)(slot, entry.CACHED_HIGHER_ID, as_int(as_float(entry.CACHED_IMPULSE) * w->warmScale), 0);
-#ifdef TURNING
-                w->keptRows[place] = w->rowCache[k] * w->warmScale;
-#endif
+                IF_TURNING(w->keptRows[place] = w->rowCache[k] * w->warmScale;)
             }
         }
         k = entry.CACHED_NEXT;
@@ -730,9 +704,7 @@ kernel void sleeping_keep(WORLD_PARAMETERS) {
 void restoreImpulse(const World *w, int k) {
     int4 entry = w->kept[k];
     int place = w->status[CONTACTS] + k;
-#ifdef TURNING
-    w->rowCache[place] = w->keptRows[k];
-#endif
+    IF_TURNING(w->rowCache[place] = w->keptRows[k];)
     storeImpulse(w, place, w->homeFirstCached + entry.x, entry.y, as_float(entry.z));
 }
 
@@ -742,9 +714,7 @@ void restoreImpulse(const World *w, int k) {
 bool isRestless(const World *w, int slot) {
     float4 m = w->homeMotion[slot];
     bool moves = m.VX != 0.0f || m.VY != 0.0f;
-#ifdef TURNING
-    moves = moves || as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;
-#endif
+    IF_TURNING(moves = moves || as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;)
     return moves || (isAsleep(w->homeSleep[slot].REST) && w->homeSleep[slot].REST != SLEEP_ASLEEP);
 }
 
@@ -774,9 +744,7 @@ void restCircle(const World *w, int slot) {
     float gain_ = lengthf(g.x, g.y);
     global const float *kind = w->kindSleep + KIND_SLEEP_STRIDE * w->fields[id].kind;
     float damping = kind[KIND_SLEEP_DAMPING];
-#ifdef OWN_MOTION
-    damping = orOfKind(w->ownMotion[id].OWN_DAMPING, damping);
-#endif
+    IF_OWN_MOTION(damping = orOfKind(w->ownMotion[id].OWN_DAMPING, damping);)
     bool mayRest = (gain_ > 0.0f || damping > 0.0f) && kind[KIND_SLEEP_AWAKE] == 0.0f && w->waking[slot].WAKING_SPEED == 0;
 #ifdef TURNING
     mayRest = mayRest && !(w->surfaces[SURFACE_OWN] != 0.0f && w->homeOwn[slot].OWN_TORQUE != 0.0f) &&
@@ -795,9 +763,7 @@ void restCircle(const World *w, int slot) {
     w->homeSleep[slot] = (int4)(SLEEP_ASLEEP, as_int(g.x * w->k.inverseH), as_int(g.y * w->k.inverseH), SLEEP_NO_OFFSET);
     w->homeMotion[slot].VELOCITY = (float2)(0.0f);
     w->homeTraits[slot].INVERSE_MASS = 0.0f;
-#ifdef TURNING
-    w->homeTurn[slot].ANGULAR_VELOCITY = 0;
-#endif
+    IF_TURNING(w->homeTurn[slot].ANGULAR_VELOCITY = 0;)
 }
 
 // Behind the step and what it reports. Index space: any; work-items take impulses and slots in turn.

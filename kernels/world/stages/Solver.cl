@@ -5,13 +5,9 @@
 bool startOffWallsAt(const World *w, int slot, float4 c, float4 m, float4 t, float4 l) {
     float2 before, next;
     if (wallsAct(w, slot, t.WALLS)) return false;
-#ifdef TERRAIN
-    if (hasPieces(w, slot)) return false;
-#endif
+    IF_TERRAIN(if (hasPieces(w, slot)) return false;)
     if (!integrateOffWalls(w, slot, c, m, t.INVERSE_MASS, l.IMPULSES, &before, &next)) return false;
-#ifdef TURNING
-    w->surfaceSpeed[slot] = startedSpin(w, slot, c.RADIUS, w->surfaceSpeed[slot], w->spinImpulse[slot]);
-#endif
+    IF_TURNING(w->surfaceSpeed[slot] = startedSpin(w, slot, c.RADIUS, w->surfaceSpeed[slot], w->spinImpulse[slot]);)
     storeWalls(w, slot, t.WALLS, noWalls(&w->k, c));
     w->motion[slot] = (float4)(m.DX, m.DY, next.x, next.y);
     w->wallBounce[slot] = (float2)(0.0f);
@@ -27,23 +23,12 @@ void startCircleAt(const World *w, int slot, float4 m, float4 l) {
     float4 old = m;
     float2 before, bounce;
     bool loaded;
-#ifdef TURNING
-    Turning turning = turningOf(w, slot, t, w->surfaceSpeed[slot]);
-#endif
-    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce,
-                        &loaded AND_TURNING(&turning) AND_TURNING(w->spinImpulse[slot]));
-#ifdef RECORDING
-    if (w->recording.walls) {
-        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m AND_TURNING(&turning));
-    }
-#endif
-#ifdef TERRAIN
-    if (hasPieces(w, slot)) solvePieces(w, slot, c, t.RESTITUTION, before, loaded, &m AND_TURNING(&turning));
-#endif
-#ifdef TURNING
-    w->surfaceSpeed[slot] = turning.s;
-    keepWallRows(w, slot, &turning);
-#endif
+    IF_TURNING(Turning turning = turningOf(w, slot, t, w->surfaceSpeed[slot]);)
+    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce, &loaded AND_TURNING(&turning) AND_TURNING(w->spinImpulse[slot]));
+    IF_RECORDING(noteWallsSolved(w, slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m AND_TURNING(&turning));)
+    IF_TERRAIN(if (hasPieces(w, slot)) solvePieces(w, slot, c, t.RESTITUTION, before, loaded, &m AND_TURNING(&turning));)
+    IF_TURNING(w->surfaceSpeed[slot] = turning.s;)
+    IF_TURNING(keepWallRows(w, slot, &turning);)
     w->motion[slot] = m;
     w->traits[slot] = t;
     w->wallBounce[slot] = bounce;
@@ -62,35 +47,21 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
     w->spinImpulse[slot] = 0.0f;
     atWall = atWall || wallRowsHold(&turning);
 #endif
-#ifdef TERRAIN
-    float2 from = m.DISPLACEMENT;
-    bool atPieces = hasPieces(w, slot);
-#endif
+    IF_TERRAIN(float2 from = m.DISPLACEMENT;)
+    IF_TERRAIN(bool atPieces = hasPieces(w, slot);)
     m = integratePositions(w, slot, c, m, isStatic);
-#ifdef TERRAIN
-    if (atPieces) m.DISPLACEMENT = movePieces(w, slot, c, from, m.DISPLACEMENT);
-#endif
+    IF_TERRAIN(if (atPieces) m.DISPLACEMENT = movePieces(w, slot, c, from, m.DISPLACEMENT);)
     // Most circles are at no wall, and on a GPU what follows takes longer than all before it.
     if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float2 walls = t.WALLS;
         float2 moving = m.VELOCITY;
         relaxAtWalls(w, c, &m, &t, bounce, loaded > 0.0f AND_TURNING(&turning));
-#ifdef RECORDING
-        if (w->recording.walls) {
-            noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));
-        }
-#endif
-#ifdef TURNING
-        keepWallRows(w, slot, &turning);
-#endif
+        IF_RECORDING(noteWallsRelaxed(w, slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));)
+        IF_TURNING(keepWallRows(w, slot, &turning);)
         storeWalls(w, slot, walls, t.WALLS);
     }
-#ifdef TERRAIN
-    if (atPieces) relaxPieces(w, slot, c, t.RESTITUTION, loaded > 0.0f, &m AND_TURNING(&turning));
-#endif
-#ifdef TURNING
-    w->surfaceSpeed[slot] = turning.s;
-#endif
+    IF_TERRAIN(if (atPieces) relaxPieces(w, slot, c, t.RESTITUTION, loaded > 0.0f, &m AND_TURNING(&turning));)
+    IF_TURNING(w->surfaceSpeed[slot] = turning.s;)
     w->motion[slot] = m;
     w->load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
 }
@@ -102,9 +73,7 @@ Pair pairAt(const World *w, int c, float4 n, float loads) {
     Pair p = {.nx = n.NORMAL_X, .ny = n.NORMAL_Y, .separation = n.SEPARATION, .normalImpulse = n.NORMAL_IMPULSE,
               .radii = b.RADII, .restitution = b.PAIR_RESTITUTION, .bounce = q.BOUNCE, .mass = q.EFFECTIVE_MASS,
               .invMassA = q.INVERSE_MASS_A, .invMassB = q.INVERSE_MASS_B, .loaded = loads > 0.0f};
-#ifdef TURNING
-    p.held = rowsHold(w->rowImpulses[c]);
-#endif
+    IF_TURNING(p.held = rowsHold(w->rowImpulses[c]);)
     return p;
 }
 
@@ -167,24 +136,18 @@ void visitRowsAt(const World *w, int c, uint2 pr, const Visit *v, const Visited 
 void keepSolved(const World *w, int c, const Visit *v, const Visited *visited) {
     w->masses[c].BOUNCE = v->ready.bounce;
     w->contact[c].NORMAL_IMPULSE = visited->normalImpulse;
-#ifdef RECORDING
-    noteSolvedContact(w, w->recording.touch, c, impulseOfFlight(visited));
-#endif
+    IF_RECORDING(noteSolvedContact(w, w->recording.touch, c, impulseOfFlight(visited));)
 }
 
 void keepRelaxed(const World *w, int c, const Pair *p, const Visit *v, const Visited *visited) {
     w->contact[c] = (float4)(p->nx, p->ny, p->separation, visited->normalImpulse);
-#ifdef RECORDING
-    noteRelaxedContact(w, w->recording.touch, c, impulseOfBounce(v, visited));
-#endif
+    IF_RECORDING(noteRelaxedContact(w, w->recording.touch, c, impulseOfBounce(v, visited));)
 }
 
 // What the next step starts with, behind the last visit.
 void storeVisited(const World *w, int c, uint2 pr, const Visited *visited) {
     float next = visited->normalImpulse;
-#ifdef TURNING
-    storeRows(w, c);
-#endif
+    IF_TURNING(storeRows(w, c);)
     if (visited->solved && actingImpulse(next, rowsAt(w, c)) > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
 }
 
@@ -196,10 +159,8 @@ void solveContact(const World *w, int c) {
     float4 mb = w->motion[pr.HIGHER];
     takeToSolve(w, c, pr, &v);
     visitAt(w, pr, ma, mb, &v, false, &visited);
-#ifdef TURNING
-    float along = speedAlong((float2)(v.nx, v.ny), ma.VELOCITY, mb.VELOCITY);
-    if (bouncesFreely(&visited)) visitRowsAt(w, c, pr, &v, &visited, along);
-#endif
+    IF_TURNING(float along = speedAlong((float2)(v.nx, v.ny), ma.VELOCITY, mb.VELOCITY);)
+    IF_TURNING(if (bouncesFreely(&visited)) visitRowsAt(w, c, pr, &v, &visited, along);)
     keepSolved(w, c, &v, &visited);
 }
 
@@ -211,17 +172,13 @@ void relaxContact(const World *w, int c, bool last) {
     Visited visited;
     Pair p = takeToRelax(w, c, pr, ma, mb, &v);
     visitAt(w, pr, ma, mb, &v, true, &visited);
-#ifdef TURNING
-    float along = speedAlong((float2)(v.nx, v.ny), ma.VELOCITY, mb.VELOCITY);
-    if (!visited.still) visitRowsAt(w, c, pr, &v, &visited, along);
-#endif
+    IF_TURNING(float along = speedAlong((float2)(v.nx, v.ny), ma.VELOCITY, mb.VELOCITY);)
+    IF_TURNING(if (!visited.still) visitRowsAt(w, c, pr, &v, &visited, along);)
     if (last) {
         storeVisited(w, c, pr, &visited);
     } else if (carriesOn(&v, &visited, rowsAt(w, c))) {
         gatherLoad(w, pr, loadOf(w, c, (float2)(p.nx, p.ny), visited.normalImpulse), true);
-#ifdef TURNING
-        gatherSpin(w, c, pr);
-#endif
+        IF_TURNING(gatherSpin(w, c, pr);)
     }
     keepRelaxed(w, c, &p, &v, &visited);
 }

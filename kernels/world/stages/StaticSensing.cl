@@ -11,27 +11,21 @@
 
 // Whether a static circle senses others that are static.
 bool sensesStatic(const World *w, const Sensed *s, int part) {
-#ifdef SLEEPING
-    if (isAsleep(w->homeSleep[s->slot].REST)) return false;
-#endif
+    IF_SLEEPING(if (isAsleep(w->homeSleep[s->slot].REST)) return false;)
     return s->isStatic && (part & MEETS_STATIC) != 0;
 }
 
 void senseStaticIn(const World *w, global const float2 *start, global const int *seeking, const Sensed *s, int part, int from, int to) {
     for (int slot = from; slot < to; slot++) {
         CircleFields fields = w->fields[w->homeId[slot]];
-        int row = (seeking[s->fields.kind << 4 | fields.kind >> 4] >> 2 * (fields.kind & 15)) & 3;
+        int row = seekingOf(seeking, s->fields.kind, fields.kind);
         if (row == SENSOR_NONE || slot == s->slot || w->homeTraits[slot].INVERSE_MASS != 0.0f) continue;
         int other = seeking[SEEKING_KINDS + fields.kind];
         if (!((part | other) & ASKS) || areOfOneGroup(fields, s->fields)) continue;
         Sensed o = sensedAt(w, start, slot);
         int seeks = !(part & ASKS) ? SENSOR_FOUND : other & ASKS ? SENSOR_BOTH_SEEK : SENSOR_SEEKS;
         if (!sensesStatic(w, &o, other) || !findsSensed(seeks, s->isFast, s->path, s->id, o.isFast, o.path, o.id)) continue;
-        if (s->id < o.id) {
-            tellOfSensed(w, s, &o);
-        } else {
-            tellOfSensed(w, &o, s);
-        }
+        tellOfBothSensed(w, s, &o);
     }
 }
 
@@ -45,13 +39,8 @@ kernel void statics_find(WORLD_PARAMETERS, global const float2 *start, global co
     if (!(part & MEETS_STATIC) || w.homeTraits[slot].INVERSE_MASS != 0.0f) return;
     Sensed s = sensedAt(&w, start, slot);
     if (!sensesStatic(&w, &s, part) || (!s.isFast && !(part & ASKS))) return;
-    float toX = s.x + s.px;
-    float toY = s.y + s.py;
     for (int l = 0; l < levels->usedCount; l++) {
-        int level = levels->used[l];
-        float margin = sensorMargin(s.r, s.path, levels->top[level]);
-        CellRange range = cellsAround(&w, level, minf(s.x, toX) - margin, maxf(s.x, toX) + margin, minf(s.y, toY) - margin,
-                                      maxf(s.y, toY) + margin);
+        CellRange range = cellsToSense(&w, &s, levels->used[l]);
         CellCursor at = firstCells(&range);
         int2 found;
         while (nextCells(&w, &range, &at, true, &found)) senseStaticIn(&w, start, seeking, &s, part, found.x, found.y);
@@ -127,7 +116,7 @@ kernel void statics_findPieces(WORLD_PARAMETERS, global const float2 *start, glo
         }
         if (link.y >= 0) {
             int kind = pieceTraits(&w, link.y).TRAIT_KIND;
-            int row = (seeking[s.fields.kind << 4 | kind >> 4] >> 2 * (kind & 15)) & 3;
+            int row = seekingOf(seeking, s.fields.kind, kind);
             bool asks = ((part | seeking[SEEKING_KINDS + kind]) & ASKS) != 0;
             if (row != SENSOR_NONE && asks) tellOfStaticAt(&w, &s, link.y);
         }

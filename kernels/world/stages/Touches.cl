@@ -19,9 +19,7 @@ global float2 *touchSlips(const World *w) {
 #endif
 
 void clearSlip(const World *w, int c) {
-#ifdef TURNING
-    touchSlips(w)[c] = (float2)(0.0f);
-#endif
+    IF_TURNING(touchSlips(w)[c] = (float2)(0.0f);)
 }
 
 // When they approached fastest.
@@ -38,9 +36,7 @@ void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n
     bool touching = impulse > 0.0f || separation <= 0.0f;
     if (!touching || !(approach > t[0].x)) return;
     t[0].x = approach;
-#ifdef TURNING
-    touchSlips(w)[c].y = touchSlips(w)[c].x;
-#endif
+    IF_TURNING(touchSlips(w)[c].y = touchSlips(w)[c].x;)
     if (!isFastApproach(approach, w->k.dt, w->base[c].RADII)) return;
     uint lower = w->pair[c].LOWER;
     float4 own = w->circle[lower];
@@ -86,8 +82,7 @@ void beginTouch(const World *w, int c) {
 #ifdef TERRAIN
 void beginPieceTouches(const World *w, int slot) {
     int2 own = w->pieces[slot];
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) clearPieceTouch(w, k);
+    EACH_PIECE(k, own) clearPieceTouch(w, k);
 }
 #endif
 
@@ -102,9 +97,7 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     for (int k = first; k < 2 * circles; k += (int) get_global_size(0)) {
         wallTouch[k] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     }
-#ifdef TERRAIN
-    for (int slot = first; slot < circles; slot += (int) get_global_size(0)) beginPieceTouches(&w, slot);
-#endif
+    IF_TERRAIN(for (int slot = first; slot < circles; slot += (int) get_global_size(0)) beginPieceTouches(&w, slot);)
 }
 
 // A visit of the wall of an axis. x, d: coordinate and displacement; speed: along the axis, of the approach; from, to: before and after the
@@ -129,35 +122,33 @@ void noteVisitOfWall(const World *w, global float4 *t, int axis, float x, float 
     *t = now;
 }
 
-// sum: of contact impulses; old, m: motion before and after.
-void noteWallsSolved(const World *w, global float4 *t, float4 c, float inverseMass, float2 sum, float2 before, float4 old,
-                     float4 m AND_TURNING(const Turning *turning)) {
-    if (inverseMass == 0.0f) return;
-    float fromX = afterImpulse(before.x, inverseMass, sum.x);
-    float fromY = afterImpulse(before.y, inverseMass, sum.y);
+// Visits of the walls of both axes, if walls are reported. d: displacement that they saw; before: velocity before any impulse, if solving; from:
+// before the visits; m: motion after them.
+void noteVisitsOfWalls(const World *w, int slot, float4 c, float inverseMass, float2 d, float2 before, float2 from, float4 m,
+                       bool solving AND_TURNING(const Turning *turning)) {
+    if (!w->recording.walls || inverseMass == 0.0f) return;
+    global float4 *t = w->recording.wallTouch + 2 * slot;
     float2 slid = (float2)(0.0f);
 #ifdef TURNING
     slid = (float2)(turning->slid[0], turning->slid[1]);
-    fromX = turning->from[0];
-    fromY = turning->from[1];
+    from = (float2)(turning->from[0], turning->from[1]);
     m.VELOCITY = (float2)(turning->to[0], turning->to[1]);
 #endif
-    noteVisitOfWall(w, t, 0, c.x, old.DX, c.RADIUS, before.x, fromX, m.VX, c.y + m.DY, slid.x, true);
-    noteVisitOfWall(w, t + 1, 1, c.y, old.DY, c.RADIUS, before.y, fromY, m.VY, c.x + m.DX, slid.y, true);
+    float2 speed = solving ? before : from;
+    noteVisitOfWall(w, t, 0, c.x, d.x, c.RADIUS, speed.x, from.x, m.VX, c.y + m.DY, slid.x, solving);
+    noteVisitOfWall(w, t + 1, 1, c.y, d.y, c.RADIUS, speed.y, from.y, m.VY, c.x + m.DX, slid.y, solving);
+}
+
+// sum: of contact impulses; old, m: motion before and after.
+void noteWallsSolved(const World *w, int slot, float4 c, float inverseMass, float2 sum, float2 before, float4 old,
+                     float4 m AND_TURNING(const Turning *turning)) {
+    float2 from = (float2)(afterImpulse(before.x, inverseMass, sum.x), afterImpulse(before.y, inverseMass, sum.y));
+    noteVisitsOfWalls(w, slot, c, inverseMass, old.DISPLACEMENT, before, from, m, true AND_TURNING(turning));
 }
 
 // v: before the visits; m: motion after them.
-void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseMass, float2 v,
-                      float4 m AND_TURNING(const Turning *turning)) {
-    if (inverseMass == 0.0f) return;
-    float2 slid = (float2)(0.0f);
-#ifdef TURNING
-    slid = (float2)(turning->slid[0], turning->slid[1]);
-    v = (float2)(turning->from[0], turning->from[1]);
-    m.VELOCITY = (float2)(turning->to[0], turning->to[1]);
-#endif
-    noteVisitOfWall(w, t, 0, c.x, m.DX, c.RADIUS, v.x, v.x, m.VX, c.y + m.DY, slid.x, false);
-    noteVisitOfWall(w, t + 1, 1, c.y, m.DY, c.RADIUS, v.y, v.y, m.VY, c.x + m.DX, slid.y, false);
+void noteWallsRelaxed(const World *w, int slot, float4 c, float inverseMass, float2 v, float4 m AND_TURNING(const Turning *turning)) {
+    noteVisitsOfWalls(w, slot, c, inverseMass, m.DISPLACEMENT, v, v, m, false AND_TURNING(turning));
 }
 
 // Tells of the wall of an axis. c, m: circle and motion after the step.
@@ -205,8 +196,7 @@ bool isKnown(float2 normal) { return normal.x != 0.0f || normal.y != 0.0f; }
 
 // Tells of a pair of circles after a step, if it is in touch. pr: slots; n: contact; approach, impulse: of the step; normal, point: where
 // it touched, if that is known; else it is where it touches now; slid: how fast its surfaces did.
-void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach, float impulse, float2 normal, float2 point,
-                float slid) {
+void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach, float impulse, float2 normal, float2 point, float slid) {
     if (!staysInTouch(approach, n.SEPARATION, radii)) return;
     float threshold = bounceThreshold(&w->k, radii, 0.0f, w->k.thresholdRate);
     float fastest = maxf(approach, 0.0f);
@@ -265,14 +255,10 @@ void tellOfSolidPiece(const World *w, int k, int slot, float4 c, float4 m) {
 float4 placeSensed(const World *w, global const float *row, int motion, const PieceGap *g, float x, float y) {
     if (motion == 0) return (float4)(g->nx, g->ny, row[PIECE_X] + x, row[PIECE_Y] + y);
     global const float *pose = poseOf(bodyOf(w, motion), w->k.subSteps);
-    float cos_ = pose[BODY_COS];
-    float sin_ = pose[BODY_SIN];
     float2 pivot = pivotOf(row);
-    float px = x - pivot.x;
-    float py = y - pivot.y;
-    return (float4)(cos_ * g->nx - sin_ * g->ny, sin_ * g->nx + cos_ * g->ny,
-                    ((row[PIECE_X] + pivot.x) + pose[BODY_DX]) + (cos_ * px - sin_ * py),
-                    ((row[PIECE_Y] + pivot.y) + pose[BODY_DY]) + (sin_ * px + cos_ * py));
+    float2 n = turnedByPose(pose, g->nx, g->ny);
+    float2 at = turnedByPose(pose, x - pivot.x, y - pivot.y);
+    return (float4)(n.x, n.y, ((row[PIECE_X] + pivot.x) + pose[BODY_DX]) + at.x, ((row[PIECE_Y] + pivot.y) + pose[BODY_DY]) + at.y);
 }
 
 typedef struct {
@@ -325,8 +311,7 @@ void tellOfPiecesOf(const World *w, int slot) {
     if (w->homeTraits[slot].INVERSE_MASS == 0.0f) return;
     int2 own = w->pieces[slot];
     float4 c = w->homeCircle[slot];
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+    EACH_PIECE(k, own) {
         if (w->piece[k].TOUCHED_RESPONSE == PAIR_SENSE) {
             tellOfSensedPiece(w, k, slot, c);
         } else {
@@ -340,10 +325,8 @@ void tellOfPiecesOf(const World *w, int slot) {
 void tellOfWalls(const World *w, int first, int each) {
     int circles = w->recording.walls ? w->circles : 0;
     for (int slot = first; slot < circles; slot += each) tellOfWallsOf(w, slot);
-#ifdef TERRAIN
-    circles = w->recording.pieces ? w->circles : 0;
-    for (int slot = first; slot < circles; slot += each) tellOfPiecesOf(w, slot);
-#endif
+    IF_TERRAIN(circles = w->recording.pieces ? w->circles : 0;)
+    IF_TERRAIN(for (int slot = first; slot < circles; slot += each) tellOfPiecesOf(w, slot);)
 }
 
 // Tells of pairs and walls after the step. Index space: any number of work-items, which take contacts and slots in turn.

@@ -21,7 +21,7 @@
 #define OR_FIXED(k, threshold) (threshold)
 #endif
 
-// A parameter, or an argument, that is there if circles can rotate.
+// IF_TURNING(text), and so for each feature, from the host: a statement or a member that is there if circles can rotate. AND_TURNING: a parameter or an argument.
 #ifdef TURNING
 #define AND_TURNING(parameter) , parameter
 #else
@@ -71,6 +71,17 @@ bool refused(const World *w) {
     int crowded = w->k.thinning ? 0 : w->status[CROWDED];
     return (room | fast | crowded) != 0;
 }
+
+// As it is awake: one that sleeps has 0 in its traits. c: circle.
+float awakeInverseMass(float4 c, float inTraits) {
+#ifdef SLEEPING
+    return inverseMass(c.MASS);
+#else
+    return inTraits;
+#endif
+}
+
+float ownInverseMass(const World *w, int slot) { return inverseMass(w->circle[slot].MASS); }
 
 // Walls that move: the Java class WallMotion. wall: left, right, lower, upper.
 
@@ -230,12 +241,8 @@ bool hasOneLevel(const World *w) { return w->levels->usedCount == 1; }
 
 // By tiles: whether between passes circles are as Solver.cl has them, since others than like contacts visit them: cross contacts, joints, bodies.
 bool sharesPasses(const World *w) {
-#ifdef BODIES
-    return true;
-#endif
-#ifdef JOINTS
-    if (w->joints->any) return true;
-#endif
+    IF_BODIES(return true;)
+    IF_JOINTS(if (w->joints->any) return true;)
     return !hasOneLevel(w);
 }
 

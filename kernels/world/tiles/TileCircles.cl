@@ -28,9 +28,7 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
                    bool carried AND_TURNING(float s) AND_TURNING(float spinSum)) {
     float2 before, next;
     if (!integrateOffWalls(w, slot, c, m, inverseMass, sum, &before, &next)) return false;
-#ifdef TURNING
-    w->startSpin[slot] = startedSpin(w, slot, c.RADIUS, s, spinSum);
-#endif
+    IF_TURNING(w->startSpin[slot] = startedSpin(w, slot, c.RADIUS, s, spinSum);)
     w->drive[slot] = (float4)(next.x, next.y, before.x, before.y);
     w->burden[slot] = burdenOf(inverseMass, carried);
     w->motion[slot] = (float4)(m.DX, m.DY, 0.0f, 0.0f);
@@ -42,45 +40,27 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
                  bool carried AND_TURNING(float s) AND_TURNING(float spinSum) AND_TERRAIN(bool atPieces)) {
     float2 walls = t.WALLS;
     bool acted = wallsAct(w, slot, walls);
-#ifdef TERRAIN
-    acted = acted || atPieces;
-#endif
+    IF_TERRAIN(acted = acted || atPieces;)
     if (!acted && startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried AND_TURNING(s) AND_TURNING(spinSum))) {
         storeWalls(w, slot, walls, noWalls(&w->k, c));
         return false;
     }
     float2 before, bounce;
     bool loaded;
-#ifdef RECORDING
-    float4 old = m;
-#endif
-#ifdef TURNING
-    Turning turning = turningOf(w, slot, t, s);
-#endif
+    IF_RECORDING(float4 old = m;)
+    IF_TURNING(Turning turning = turningOf(w, slot, t, s);)
     integrateVelocities(w, slot, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce,
                         &loaded AND_TURNING(&turning) AND_TURNING(spinSum));
-#ifdef RECORDING
-    if (w->recording.walls) {
-        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, sum, before, old, m AND_TURNING(&turning));
-    }
-#endif
-#ifdef TERRAIN
-    if (atPieces) solvePieces(w, slot, c, t.RESTITUTION, before, loaded, &m AND_TURNING(&turning));
-#endif
-#ifdef TURNING
-    w->startSpin[slot] = turning.s;
-    keepWallRows(w, slot, &turning);
-#endif
+    IF_RECORDING(noteWallsSolved(w, slot, c, t.INVERSE_MASS, sum, before, old, m AND_TURNING(&turning));)
+    IF_TERRAIN(if (atPieces) solvePieces(w, slot, c, t.RESTITUTION, before, loaded, &m AND_TURNING(&turning));)
+    IF_TURNING(w->startSpin[slot] = turning.s;)
+    IF_TURNING(keepWallRows(w, slot, &turning);)
     storeWalls(w, slot, walls, t.WALLS);
     w->drive[slot] = (float4)(m.VX, m.VY, before.x, before.y);
     w->burden[slot] = burdenOf(t.INVERSE_MASS, loaded);
     w->motion[slot] = (float4)(m.DX, m.DY, bounce.x, bounce.y);
-#ifdef TURNING
-    if (wallRowsHold(&turning)) return true;
-#endif
-#ifdef TERRAIN
-    if (atPieces) return true;
-#endif
+    IF_TURNING(if (wallRowsHold(&turning)) return true;)
+    IF_TERRAIN(if (atPieces) return true;)
     return bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.WALLS);
 }
 
@@ -88,46 +68,26 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v,
               float burden AND_TURNING(float s) AND_TERRAIN(bool atPieces)) {
     bool isStatic = burden == 0.0f;
-#ifdef TURNING
-    s = moveTurning(w, slot, s);
-#endif
+    IF_TURNING(s = moveTurning(w, slot, s);)
     float4 m = integratePositions(w, slot, c, (float4)(started.DX, started.DY, v.x, v.y), isStatic);
     if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float4 t = w->traits[slot];
         float2 walls = t.WALLS;
-#ifdef TERRAIN
-        if (atPieces) m.DISPLACEMENT = movePieces(w, slot, c, started.DISPLACEMENT, m.DISPLACEMENT);
-#endif
-#ifdef RECORDING
-        float2 moving = m.VELOCITY;
-#endif
-#ifdef TURNING
-        Turning turning = turningOf(w, slot, t, s);
-#endif
+        IF_TERRAIN(if (atPieces) m.DISPLACEMENT = movePieces(w, slot, c, started.DISPLACEMENT, m.DISPLACEMENT);)
+        IF_RECORDING(float2 moving = m.VELOCITY;)
+        IF_TURNING(Turning turning = turningOf(w, slot, t, s);)
         relaxAtWalls(w, c, &m, &t, started.WALL_TARGETS, isLoaded(burden) AND_TURNING(&turning));
-#ifdef RECORDING
-        if (w->recording.walls) {
-            noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));
-        }
-#endif
+        IF_RECORDING(noteWallsRelaxed(w, slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));)
         atWall = hasWalls(w, c, t.WALLS);
-#ifdef TURNING
-        atWall = atWall || wallRowsHold(&turning);
-#endif
-#ifdef TERRAIN
-        if (atPieces) relaxPieces(w, slot, c, t.RESTITUTION, isLoaded(burden), &m AND_TURNING(&turning));
-        atWall = atWall || atPieces;
-#endif
-#ifdef TURNING
-        s = turning.s;
-        keepWallRows(w, slot, &turning);
-#endif
+        IF_TURNING(atWall = atWall || wallRowsHold(&turning);)
+        IF_TERRAIN(if (atPieces) relaxPieces(w, slot, c, t.RESTITUTION, isLoaded(burden), &m AND_TURNING(&turning));)
+        IF_TERRAIN(atWall = atWall || atPieces;)
+        IF_TURNING(s = turning.s;)
+        IF_TURNING(keepWallRows(w, slot, &turning);)
         storeWalls(w, slot, walls, t.WALLS);
     }
     w->solvedMotion[slot] = m;
     w->solvedBurden[slot] = burden;
-#ifdef TURNING
-    w->solvedSpin[slot] = s;
-#endif
+    IF_TURNING(w->solvedSpin[slot] = s;)
     return atWall;
 }

@@ -50,10 +50,8 @@ void linkContact(const World *w, int listed) {
     int c = from;
     for (int other = from; other < to; other++) c += listedOf(w)[other].x < ids;
 
-#ifdef TURNING
-    PairSurface s = fillRows(w, c, p, (int) ids, p.LOWER, p.HIGHER, 1.0f);
-    w->startSpins[c] = rowsAct(&s) ? spinImpulses(w, p, &s, w->rowImpulses[c]) : (float2)(0.0f);
-#endif
+    IF_TURNING(PairSurface s = fillRows(w, c, p, (int) ids, p.LOWER, p.HIGHER, 1.0f);)
+    IF_TURNING(w->startSpins[c] = rowsAct(&s) ? spinImpulses(w, p, &s, w->rowImpulses[c]) : (float2)(0.0f);)
     bool carrying;
     float4 n = newContact(w, p, ids, baseOfPair(w, p), rowsAt(w, c), &carrying);
     startImpulsesOf(w)[c] = loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE);

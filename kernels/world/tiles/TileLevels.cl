@@ -19,9 +19,7 @@ void startSlot(const World *w, int slot, bool first) {
     int end = group == 0 ? 0 : w->groupStart[group + 1];
     for (int c = w->groupStart[group]; c < end; c++) beginTouch(w, c);
 #endif
-#ifdef TURNING
-    w->surfaceSpeed[slot] = w->solvedSpin[slot];
-#endif
+    IF_TURNING(w->surfaceSpeed[slot] = w->solvedSpin[slot];)
     startCircleAt(w, slot, m, l);
 }
 
@@ -29,9 +27,7 @@ void moveSlot(const World *w, int slot) {
     float4 m = w->solvedMotion[slot];
     float4 l = w->load[slot];
     takeOwnSums(w, slot, true, false, &m, &l);
-#ifdef TURNING
-    w->surfaceSpeed[slot] = w->solvedSpin[slot];
-#endif
+    IF_TURNING(w->surfaceSpeed[slot] = w->solvedSpin[slot];)
     moveCircleAt(w, slot, m, l.LOADED);
     w->homeFirstCached[slot] = NONE;
 }
@@ -40,9 +36,7 @@ void finishSlot(const World *w, int slot) {
     float4 m = w->solvedMotion[slot];
     float4 l = w->load[slot];
     takeOwnSums(w, slot, true, false, &m, &l);
-#ifdef TURNING
-    w->surfaceSpeed[slot] = w->solvedSpin[slot];
-#endif
+    IF_TURNING(w->surfaceSpeed[slot] = w->solvedSpin[slot];)
     finalizePositions(w, slot, w->circle[slot], m, w->traits[slot]);
 }
 
@@ -64,9 +58,7 @@ TILE_KERNEL solver_relaxLevels(WORLD_PARAMETERS, int subStep RECORDING_PARAMETER
     SET_TOUCH_NUMBERS(w);
     local Tile t;
     int tile = (int) get_group_id(0);
-#ifdef TURNING
-    w.relaxed = subStep;
-#endif
+    IF_TURNING(w.relaxed = subStep;)
     takeTile(&w, &t, tile, refused(&w));
     relaxTile(&w, &t, tile, subStep == w.k.subSteps - 1, 0, true);
 }

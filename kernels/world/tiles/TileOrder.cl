@@ -17,9 +17,7 @@ typedef struct {
     int rowStart[TILE_ROWS + 1];      // by row: its first circle
     int4 rowSlots[TILE_ROWS];         // by row: see slotsInRow
     float2 load[TILE_CIRCLES];        // by circle: sums of impulses; later its base
-#ifdef TURNING
-    float spin[TILE_CIRCLES]; // by circle: sums of impulses on the surface speed
-#endif
+    IF_TURNING(float spin[TILE_CIRCLES];) // by circle: sums of impulses on the surface speed
     ushort progress[TILE_CIRCLES];     // by circle: see below
     int roundCount[TILE_ROUNDS + 1];   // by round: own contacts (lower half), others
     short ownNumber[TILE_ROUNDS + 1];  // by round: number of an own contact minus its place
@@ -89,9 +87,7 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
     }
     TILE_EACH(i, min(circles, TILE_CIRCLES)) {
         a->load[i] = (float2)(0.0f);
-#ifdef TURNING
-        a->spin[i] = 0.0f;
-#endif
+        IF_TURNING(a->spin[i] = 0.0f;)
         a->progress[i] = 0;
     }
     TILE_EACH(i, TILE_ROUNDS + 1) a->roundCount[i] = 0;
@@ -155,10 +151,8 @@ void takeContact(const Region *r, local Arrangement *a, global uint *met, int k,
     float2 loadHi = a->load[hi];
     a->load[lo] = loadLo - impulse;
     a->load[hi] = loadHi + impulse;
-#ifdef TURNING
-    a->spin[lo] += spins.x;
-    a->spin[hi] += spins.y;
-#endif
+    IF_TURNING(a->spin[lo] += spins.x;)
+    IF_TURNING(a->spin[hi] += spins.y;)
     int round = max(progressLo & FREE_ROUND, progressHi & FREE_ROUND);
     if (round >= TILE_ROUNDS) {
         a->overfull = 1;
@@ -199,17 +193,13 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
             for (int from = 0; from < size; from += GROUP_TOGETHER) {
                 uint link[GROUP_TOGETHER];
                 float2 impulse[GROUP_TOGETHER];
-#ifdef TURNING
-                float2 spins[GROUP_TOGETHER];
-#endif
+                IF_TURNING(float2 spins[GROUP_TOGETHER];)
 #pragma unroll
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
                     int c = first + min(from + k, size - 1);
                     link[k] = w->link[c];
                     impulse[k] = startImpulsesOf(w)[c];
-#ifdef TURNING
-                    spins[k] = w->startSpins[c];
-#endif
+                    IF_TURNING(spins[k] = w->startSpins[c];)
                 }
 #pragma unroll
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
@@ -298,14 +288,10 @@ void gatherLoads(const World *w, local const Arrangement *a, global const int *r
         int progress = a->progress[i];
         w->solvedMotion[slot] = w->motion[slot];
         w->load[slot] = (float4)(a->load[i].x, a->load[i].y, 0.0f, progress & HAS_CARRIED ? 1.0f : 0.0f);
-#ifdef TURNING
-        w->spinImpulse[slot] = a->spin[i];
-        w->solvedSpin[slot] = w->surfaceSpeed[slot];
-#endif
+        IF_TURNING(w->spinImpulse[slot] = a->spin[i];)
+        IF_TURNING(w->solvedSpin[slot] = w->surfaceSpeed[slot];)
         if (metSoFar(progress) + (hasOneLevel(w) ? 0 : w->coarser[slot]) > CROWD && w->k.thinning == 0) w->status[CROWDED] = 1;
-#ifdef RECORDING
-        clearWallTouch(w, slot);
-#endif
+        IF_RECORDING(clearWallTouch(w, slot);)
     }
 }
 
@@ -318,9 +304,7 @@ void startAtPieces(const World *w, local Arrangement *a, global int *entries, in
         if (slot < 0 || !hasPieces(w, slot)) continue;
         entries[i] = slot | AT_WALL;
         a->moves = 1;
-#ifdef RECORDING
-        clearWallTouch(w, slot);
-#endif
+        IF_RECORDING(clearWallTouch(w, slot);)
         startCircle(w, slot, w->circle[slot], w->motion[slot], w->traits[slot], a->load[i],
                     (a->progress[i] & HAS_CARRIED) != 0 AND_TURNING(w->surfaceSpeed[slot]) AND_TURNING(a->spin[i]), true);
     }
@@ -328,9 +312,7 @@ void startAtPieces(const World *w, local Arrangement *a, global int *entries, in
 #endif
 
 bool mayMove(const World *w, int slot, float4 m, float4 t) {
-#ifdef TURNING
-    if (w->surfaceSpeed[slot] != 0.0f) return true;
-#endif
+    IF_TURNING(if (w->surfaceSpeed[slot] != 0.0f) return true;)
     return t.INVERSE_MASS != 0.0f || m.VX != 0.0f || m.VY != 0.0f;
 }
 
@@ -338,9 +320,7 @@ bool mayMove(const World *w, int slot, float4 m, float4 t) {
 void takeCircles(const World *w, local Arrangement *a, global int *record, int circles, int together) {
     global int *entry = record + TILE_AT_SLOTS;
     int left = sharesPasses(w) ? NOT_OWN : 0;
-#ifdef TERRAIN
-    if (left == 0) startAtPieces(w, a, entry, circles);
-#endif
+    IF_TERRAIN(if (left == 0) startAtPieces(w, a, entry, circles);)
     TILE_TOGETHER(first, circles, together) {
         int taken[MOST_TOGETHER];
         float4 c[MOST_TOGETHER], t[MOST_TOGETHER], m[MOST_TOGETHER];
@@ -361,13 +341,9 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
             int i = togetherItem(first, n);
             if (i >= circles) continue;
             int slot = taken[n] & ENTRY_SLOT;
-#ifdef TERRAIN
-            if ((taken[n] & AT_WALL) != 0) taken[n] |= NOT_OWN; // started
-#endif
+            IF_TERRAIN(if ((taken[n] & AT_WALL) != 0) taken[n] |= NOT_OWN;) // started
             if (taken[n] >= 0) {
-#ifdef RECORDING
-                clearWallTouch(w, slot);
-#endif
+                IF_RECORDING(clearWallTouch(w, slot);)
                 if (mayMove(w, slot, m[n], t[n])) a->moves = 1;
                 bool carried = (a->progress[i] & HAS_CARRIED) != 0;
                 bool atWall = startCircle(w, slot, c[n], m[n], t[n], a->load[i],
@@ -376,11 +352,7 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
             }
             a->load[i] = c[n].xy;
             a->of.circle.radius[i] = c[n].RADIUS;
-#ifdef SLEEPING
-            a->of.circle.inverseMass[i] = inverseMass(c[n].MASS); // see massOfPair
-#else
-            a->of.circle.inverseMass[i] = t[n].INVERSE_MASS;
-#endif
+            a->of.circle.inverseMass[i] = awakeInverseMass(c[n], t[n].INVERSE_MASS); // see massOfPair
             a->of.circle.restitution[i] = t[n].RESTITUTION;
             a->of.circle.slot[i] = slot;
         }
@@ -420,20 +392,14 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
                                       maxf(a->of.circle.restitution[i], a->of.circle.restitution[j]));
             copiesOf(w)[copy] = (float4)(normal[n].NORMAL_X, normal[n].NORMAL_Y, normal[n].SEPARATION,
                                         effectiveMass(a->of.circle.inverseMass[i], a->of.circle.inverseMass[j]));
-#ifdef TURNING
-            copySurface(w, copy, contact[n].PLACED_CONTACT & ~NOT_OWN);
-            RowImpulses held = w->rowImpulses[contact[n].PLACED_CONTACT & ~NOT_OWN];
-#endif
+            IF_TURNING(copySurface(w, copy, contact[n].PLACED_CONTACT & ~NOT_OWN);)
+            IF_TURNING(RowImpulses held = w->rowImpulses[contact[n].PLACED_CONTACT & ~NOT_OWN];)
             if (contact[n].PLACED_CONTACT < 0) continue;
             int number = a->firstNumber + a->ownNumber[roundOf(contact[n].PLACED_CIRCLES)] + place;
             placed[place].PLACED_CONTACT = number;
             w->held[number] = normal[n].NORMAL_IMPULSE;
-#ifdef TURNING
-            w->heldRows[number] = held;
-#endif
-#ifdef RECORDING
-            clearTouch(w, number);
-#endif
+            IF_TURNING(w->heldRows[number] = held;)
+            IF_RECORDING(clearTouch(w, number);)
             w->ordered[number] = (uint2)((uint) a->of.circle.slot[i], (uint) a->of.circle.slot[j]);
         }
     }

@@ -57,9 +57,7 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
             t->spin[i] = w->surfaceSpeed[slot[n]];
             t->inertia[i] = w->inverseInertia[slot[n]];
             t->spinLoad[i] = 0.0f;
-#ifdef RECORDING
-            if (!relaxing) t->spinLoad[i] = w->spinImpulse[slot[n]];
-#endif
+            IF_RECORDING(if (!relaxing) t->spinLoad[i] = w->spinImpulse[slot[n]];)
 #endif
             t->burden[i] = burdenOf(inverseMass[n], loaded[n] > 0.0f);
             if (relaxing && (i & 31) == 0) t->carried[i >> 5] = 0;
@@ -83,10 +81,8 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
             int slot = entry[n] & ENTRY_SLOT;
             float2 v = t->velocity[i];
             w->solvedMotion[slot] = (float4)(d[n].x, d[n].y, v.x, v.y);
-#ifdef TURNING
-            w->solvedSpin[slot] = t->spin[i];
-            if (loads) w->spinImpulse[slot] = t->spinLoad[i];
-#endif
+            IF_TURNING(w->solvedSpin[slot] = t->spin[i];)
+            IF_TURNING(if (loads) w->spinImpulse[slot] = t->spinLoad[i];)
             if (!loads) continue;
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
             global float *load = (global float *) (w->load + slot);
@@ -121,9 +117,7 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
 #ifdef TURNING
             t->spin[i] = w->startSpin[slot[n]];
             t->inertia[i] = w->inverseInertia[slot[n]];
-#ifdef RECORDING
-            t->spinLoad[i] = w->spinImpulse[slot[n]];
-#endif
+            IF_RECORDING(t->spinLoad[i] = w->spinImpulse[slot[n]];)
 #endif
         }
     }
@@ -154,9 +148,7 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
             if (subStep == 0) w->homeFirstCached[slot] = NONE;
         }
     }
-#ifdef TERRAIN
-    endAtPieces(w, t, entries, subStep);
-#endif
+    IF_TERRAIN(endAtPieces(w, t, entries, subStep);)
 }
 
 // Before the pass: no contact waits for another here, so hardly a work-item is idle; in parts of rounds half are.
@@ -268,9 +260,7 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
             float4 m = (float4)(d[n].x, d[n].y, v.x, v.y);
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
             if (last) {
-#ifdef TURNING
-                w->surfaceSpeed[slot] = t->spin[i];
-#endif
+                IF_TURNING(w->surfaceSpeed[slot] = t->spin[i];)
                 finalizePositions(w, slot, c[n], m, w->traits[slot]);
             } else if ((entry[n] & AT_WALL) == 0) {
                 noteWall(entries, i, entry[n], !startOffWalls(w, slot, c[n], m, fabs(t->burden[i]), t->load[i],
@@ -295,9 +285,7 @@ void storeHeldImpulse(const World *w, int c) {
     RowImpulses rows = heldRowsAt(w, c);
     if (!(actingImpulse(normalImpulse, rows) > 0.0f)) return;
     uint2 p = w->ordered[c];
-#ifdef TURNING
-    w->rowCache[c] = rows;
-#endif
+    IF_TURNING(w->rowCache[c] = rows;)
     storeImpulse(w, c, w->homeFirstCached + p.LOWER, w->id[p.HIGHER], normalImpulse);
 }
 
@@ -335,9 +323,7 @@ TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS)
     int tile = (int) get_group_id(0);
     bool idle = refused(&w);
     if (last && get_global_id(0) == 0 && !idle) status[STEPS_DONE]++;
-#ifdef TURNING
-    w.relaxed = subStep;
-#endif
+    IF_TURNING(w.relaxed = subStep;)
     takeTile(&w, &t, tile, idle || (!last && isStillTile(&w, tile)));
     relaxTile(&w, &t, tile, last, 2, false);
 }

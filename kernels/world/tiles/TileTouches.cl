@@ -22,9 +22,7 @@ void clearTouch(const World *w, int number) {
 
 // Of walls and pieces of terrain.
 void clearWallTouch(const World *w, int slot) {
-#ifdef TERRAIN
-    beginPieceTouches(w, slot);
-#endif
+    IF_TERRAIN(beginPieceTouches(w, slot);)
     if (!w->recording.walls) return;
     w->recording.wallTouch[2 * slot] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     w->recording.wallTouch[2 * slot + 1] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
@@ -47,14 +45,10 @@ void noteSolved(const World *w, int number, float before, float nx, float ny, fl
     float notKept = visited->leaves || visited->solved ? 0.0f : visited->impulse;
     bool touching = visited->normalImpulse + notKept > 0.0f || separation <= 0.0f;
     touchNow(w)[number] = (float2)(touching ? approach : -approach, notKept);
-#ifdef TURNING
-    touchSlips(w)[number].x = slid;
-#endif
+    IF_TURNING(touchSlips(w)[number].x = slid;)
     if (touching && isFastApproach(approach, w->k.dt, radii) && approach > touchSoFar(w)[number].x) {
         touchSoFar(w)[number].x = approach;
-#ifdef TURNING
-        touchSlips(w)[number].y = slid;
-#endif
+        IF_TURNING(touchSlips(w)[number].y = slid;)
         placeTouch(w, number, w->motion, nx, ny, separation);
     }
 }
@@ -69,9 +63,7 @@ void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float nor
     bool touched = as_int(now.x) >= 0;
     bool faster = (touched || impulse > 0.0f) && approach > soFar.x;
     touchSoFar(w)[number] = (float2)(faster ? approach : soFar.x, soFar.y + impulse);
-#ifdef TURNING
-    if (faster) touchSlips(w)[number].y = touchSlips(w)[number].x;
-#endif
+    IF_TURNING(if (faster) touchSlips(w)[number].y = touchSlips(w)[number].x;)
     if (faster && !touched && isFastApproach(approach, w->k.dt, radii)) {
         placeTouch(w, number, sharesPasses(w) ? w->motion : w->solvedMotion, nx, ny, separation);
     }

@@ -36,9 +36,7 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
         t->firstCopy = circles > 0 ? record[TILE_AT_COPIES] : 0;
         t->velocity[NO_CIRCLE] = t->load[NO_CIRCLE] = (float2)(0.0f);
         t->burden[NO_CIRCLE] = 0.0f;
-#ifdef TURNING
-        t->spin[NO_CIRCLE] = t->spinLoad[NO_CIRCLE] = t->inertia[NO_CIRCLE] = 0.0f;
-#endif
+        IF_TURNING(t->spin[NO_CIRCLE] = t->spinLoad[NO_CIRCLE] = t->inertia[NO_CIRCLE] = 0.0f;)
     }
     TILE_EACH(part, parts + 1) t->partStart[part] = (ushort) (circles > 0 ? record[TILE_AT_STARTS + part] : 0);
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -171,9 +169,7 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
             fall = gainOfPair(w, pair.LOWER, p.invMassA, pair.HIGHER, p.invMassB);
         }
         float before = readyToSolve(&w->k, &p, t->load[j] - t->load[i], fall, &v->visit);
-#ifdef RECORDING
-        v->before = before;
-#endif
+        IF_RECORDING(v->before = before;)
     }
 #ifdef RECORDING
     v->separation = p.separation;
@@ -293,9 +289,7 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
 #endif
     if (relaxing) {
         w->held[v->contact.PLACED_CONTACT] = next;
-#ifdef TURNING
-        rowsBehind(w, w->relaxed)[v->contact.PLACED_CONTACT] = v->rows;
-#endif
+        IF_TURNING(rowsBehind(w, w->relaxed)[v->contact.PLACED_CONTACT] = v->rows;)
     } else {
         w->impulse[v->contact.PLACED_CONTACT] = (float2)(next, v->visit.ready.bounce);
     }
@@ -325,9 +319,7 @@ void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool
     reading.surface = (float2)(0.0f);
     reading.rows = (RowImpulses)(0.0f);
 #endif
-#ifdef RECORDING
-    reading.touchNow = reading.touchSoFar = (float2)(0.0f);
-#endif
+    IF_RECORDING(reading.touchNow = reading.touchSoFar = (float2)(0.0f);)
     readContact(w, nextContact(w, t, contacts, &cursor), relaxing, &reading);
     barrier(CLK_LOCAL_MEM_FENCE);
     readyContact(w, t, &reading, relaxing, &visit);

@@ -105,8 +105,7 @@ bool owns(const Region *r, int column, int row) {
 }
 
 int groupAt(const World *w, const Region *r, int column, int row) {
-    return groupOf(w, r->level, wrapped(r->firstColumn + column, r->torusColumns),
-                   wrapped(r->firstRow + row, r->torusRows));
+    return groupOf(w, r->level, wrapped(r->firstColumn + column, r->torusColumns), wrapped(r->firstRow + row, r->torusRows));
 }
 
 // At column 0.

@@ -1,6 +1,6 @@
 package io.github.circles2d;
 
-import io.github.circles2d.calibration.Runner;
+import io.github.circles2d.calibration.Timings.Runner;
 import io.github.circles2d.opencl.Device;
 import java.io.IOException;
 import java.io.InputStream;

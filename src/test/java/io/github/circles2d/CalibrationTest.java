@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import io.github.circles2d.calibration.Curve;
 import io.github.circles2d.calibration.FrameTimes;
-import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.calibration.Timings;
+import io.github.circles2d.calibration.Timings.Runner;
 import io.github.circles2d.calibration.TimingsFile;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;

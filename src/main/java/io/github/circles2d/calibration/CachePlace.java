@@ -19,20 +19,16 @@ public final class CachePlace {
     private CachePlace() {}
 
     /**
-     * Returns where the file lies in this process.
-     *
-     * @return the file, whether it is there or not; empty where it is turned off, or this user has no folder for such files
-     * @throws IllegalArgumentException if the property names what cannot be a file
+     * Where the file lies in this process, whether it is there or not; empty if it is turned off, or this user has no
+     * folder for such files. Throws IllegalArgumentException if the property names what cannot be a file.
      */
     public static Optional<Path> find() {
         return find(System::getProperty, System::getenv);
     }
 
     /**
-     * Returns where the file lies in this process, and makes its folder if the property names it.
-     *
-     * @return as {@link #find}
-     * @throws IllegalArgumentException if the property names what cannot be a file, or a file that cannot be written
+     * The same, and makes its folder if the property names it. Throws IllegalArgumentException also if that file cannot
+     * be written.
      */
     public static Optional<Path> findToWrite() {
         Optional<Path> place = find();

@@ -16,12 +16,7 @@ public final class Curve {
 
     private final NavigableMap<Integer, Double> millis;
 
-    /**
-     * Makes a curve.
-     *
-     * @param millis milliseconds, finite and greater than 0, by the number of circles, at least 1; not empty
-     * @throws IllegalArgumentException if a value is out of its range
-     */
+    /** Takes milliseconds, finite and greater than 0, by the number of circles, at least 1; there must be some. */
     public Curve(Map<Integer, Double> millis) {
         if (millis.isEmpty()) {
             throw new IllegalArgumentException("a curve needs at least one size");
@@ -34,12 +29,7 @@ public final class Curve {
         this.millis = new TreeMap<>(millis);
     }
 
-    /**
-     * Returns the time for a number of circles.
-     *
-     * @param circles number of circles
-     * @return milliseconds, greater than 0
-     */
+    /** Milliseconds for a number of circles, greater than 0. */
     public double millis(int circles) {
         Map.Entry<Integer, Double> below = millis.floorEntry(circles);
         Map.Entry<Integer, Double> above = millis.ceilingEntry(circles);
@@ -56,11 +46,7 @@ public final class Curve {
         return below.getValue() * Math.pow(above.getValue() / below.getValue(), share);
     }
 
-    /**
-     * Returns what was measured.
-     *
-     * @return milliseconds by the number of circles; a copy
-     */
+    /** What was measured: milliseconds by the number of circles; a copy. */
     public NavigableMap<Integer, Double> measured() {
         return new TreeMap<>(millis);
     }

@@ -37,31 +37,20 @@ public final class MeasuredRow {
     /** What is not clean: the sizes to measure again, and the figures in words. */
     private record Blemish(Set<Integer> sizes, String words) {}
 
-    /**
-     * Begins a row.
-     *
-     * @param name what a refusal calls the row
-     * @param meter times loops of so many circles
-     */
+    /** Begins a row, which refusals call by its name; the meter times loops of so many circles. */
     public MeasuredRow(String name, IntFunction<FrameTimes> meter) {
         this.name = name;
         this.meter = meter;
     }
 
-    /**
-     * Whether no size has been measured.
-     *
-     * @return true if so
-     */
+    /** Whether no size has been measured. */
     public boolean isEmpty() {
         return times.isEmpty();
     }
 
     /**
-     * Measures a size, and again what is not clean then.
-     *
-     * @param circles number of circles, more than those before
-     * @throws IllegalStateException if the row does not become clean; the message has its name and the figures
+     * Measures a size, more circles than those before, and again what is not clean then. Throws IllegalStateException
+     * with the name and the figures if the row does not become clean.
      */
     public void measure(int circles) {
         times.put(circles, meter.apply(circles));
@@ -125,11 +114,7 @@ public final class MeasuredRow {
         return String.format(Locale.ROOT, pattern, values);
     }
 
-    /**
-     * The times as a curve.
-     *
-     * @return the medians by number of circles; at least one size must have been measured
-     */
+    /** The medians by number of circles; at least one size must have been measured. */
     public Curve curve() {
         Map<Integer, Double> medians = new TreeMap<>();
         times.forEach((circles, frames) -> medians.put(circles, frames.median()));

@@ -8,11 +8,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
-/**
- * All that has been measured. Immutable.
- *
- * @param entries one for each indexing and runner
- */
+/** All that has been measured: an entry for each indexing and runner. Immutable. */
 public record Timings(List<Entry> entries) {
     /** Nothing measured. */
     public static final Timings NONE = new Timings(List.of());
@@ -20,35 +16,19 @@ public record Timings(List<Entry> entries) {
     /** By so much must a later candidate be faster than an earlier one: less is noise. */
     private static final double CLEARLY = 1.05;
 
-    /**
-     * One curve.
-     *
-     * @param indexing the name of the pair indexing
-     * @param runner what it ran on
-     * @param curve the times
-     */
+    /** The times of an indexing, by its name, on a runner. */
     public record Entry(String indexing, Runner runner, Curve curve) {
         private boolean replaces(Entry other) {
             return indexing.equals(other.indexing) && runner.name().equals(other.runner.name());
         }
     }
 
-    /**
-     * Copies the list.
-     *
-     * @param entries one for each indexing and runner
-     */
+    /** Copies the list. */
     public Timings {
         entries = List.copyOf(entries);
     }
 
-    /**
-     * Finds a curve.
-     *
-     * @param indexing the name of the pair indexing
-     * @param runner what it ran on, in that very version
-     * @return the curve, if it was measured
-     */
+    /** The curve of an indexing on a runner, in that very version, if it was measured. */
     public Optional<Curve> find(String indexing, Runner runner) {
         return entries.stream()
                 .filter(entry -> entry.indexing.equals(indexing) && entry.runner.equals(runner))
@@ -56,12 +36,7 @@ public record Timings(List<Entry> entries) {
                 .findFirst();
     }
 
-    /**
-     * Adds newer timings. They replace those of the same runners, also of other versions of them.
-     *
-     * @param newer what was measured later
-     * @return both
-     */
+    /** Adds newer timings. They replace those of the same runners, also of other versions of them. */
     public Timings and(Timings newer) {
         List<Entry> all = new ArrayList<>(entries);
         all.removeIf(old -> newer.entries.stream().anyMatch(entry -> entry.replaces(old)));
@@ -69,14 +44,7 @@ public record Timings(List<Entry> entries) {
         return new Timings(all);
     }
 
-    /**
-     * Picks the candidate that takes the least time; of those within 5 % of it, the first.
-     *
-     * @param candidates their curves, the preferred ones first; not empty
-     * @param circles number of circles
-     * @param <T> a candidate
-     * @return one of them
-     */
+    /** The candidate that takes the least time; of those within 5 % of it, the first. There must be some. */
     public static <T> T fastest(Map<T, Curve> candidates, int circles) {
         double least = candidates.values().stream()
                 .mapToDouble(curve -> curve.millis(circles))
@@ -89,15 +57,7 @@ public record Timings(List<Entry> entries) {
                 .getKey();
     }
 
-    /**
-     * Says what {@link #fastest} decides by.
-     *
-     * @param candidates their curves
-     * @param circles number of circles
-     * @param name how to call a candidate
-     * @param <T> a candidate
-     * @return the times in words
-     */
+    /** Says in words what {@link #fastest} decides by. */
     public static <T> String words(Map<T, Curve> candidates, int circles, Function<T, String> name) {
         return candidates.entrySet().stream()
                 .map(candidate -> String.format(
@@ -106,5 +66,21 @@ public record Timings(List<Entry> entries) {
                         name.apply(candidate.getKey()),
                         candidate.getValue().millis(circles)))
                 .collect(Collectors.joining(", ", "by calibration, ms a loop of " + circles + " circles: ", ""));
+    }
+
+    /**
+     * What loops ran on, in two lines: the device and how it was used, and everything else that its speed depends on, such
+     * as driver, kernels and library. Figures of one version say nothing of another.
+     */
+    public record Runner(String name, String version) {
+        /** Makes both fit into a field of the file. */
+        public Runner {
+            name = oneLine(name);
+            version = oneLine(version);
+        }
+
+        private static String oneLine(String text) {
+            return text.replaceAll("\\s+", " ").trim();
+        }
     }
 }

@@ -33,11 +33,8 @@ public final class TimingsFile {
     private TimingsFile() {}
 
     /**
-     * Reads a file.
-     *
-     * @param file the file
-     * @return what it holds; nothing where there is no such file
-     * @throws IOException if it cannot be read, or is not what {@link #write} wrote; the message says what is wrong
+     * What a file has; nothing if there is none. Throws IOException that says what is wrong if it cannot be read, or is
+     * not what {@link #write} wrote.
      */
     public static Timings read(Path file) throws IOException {
         if (!Files.exists(file)) {
@@ -81,18 +78,15 @@ public final class TimingsFile {
                 int sign = time.indexOf('=');
                 millis.put(Integer.valueOf(time.substring(0, sign)), Double.valueOf(time.substring(sign + 1)));
             }
-            return new Timings.Entry(fields[0], new Runner(fields[1], fields[2]), new Curve(millis));
+            return new Timings.Entry(fields[0], new Timings.Runner(fields[1], fields[2]), new Curve(millis));
         } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
             throw new IOException("a line of it makes no sense: " + e.getMessage(), e);
         }
     }
 
     /**
-     * Writes a file, in place of what it was. Makes the folder where there is none.
-     *
-     * @param file the file
-     * @param timings what it is to hold
-     * @throws IOException if it cannot be written; it is then as it was
+     * Writes a file, in place of what it was, and makes the folder if there is none. If that throws, the file is as it
+     * was.
      */
     public static void write(Path file, Timings timings) throws IOException {
         StringBuilder text = new StringBuilder(FIRST_LINE + "\n" + COMMENT + "\n");

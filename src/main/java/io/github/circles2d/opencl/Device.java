@@ -56,129 +56,75 @@ public final class Device {
         return handle;
     }
 
-    /**
-     * Returns the device's name.
-     *
-     * @return the name that its driver gives
-     */
+    /** {@return the name that its driver gives the device} */
     public String name() {
         return name;
     }
 
-    /**
-     * Returns who made the device.
-     *
-     * @return the vendor that its driver names
-     */
+    /** {@return the vendor that the driver names} */
     public String vendor() {
         return vendor;
     }
 
-    /**
-     * Returns the OpenCL platform that the device belongs to.
-     *
-     * @return the platform's name
-     */
+    /** {@return the name of the OpenCL platform that the device belongs to} */
     public String platform() {
         return platform;
     }
 
-    /**
-     * Returns the version of the driver.
-     *
-     * @return the driver's own text
-     */
+    /** {@return the version of the driver, in the driver's own text} */
     public String driverVersion() {
         return driverVersion;
     }
 
-    /**
-     * Returns the version of OpenCL that the device speaks.
-     *
-     * @return for example {@code OpenCL 3.0 CUDA}
-     */
+    /** {@return the version of OpenCL that the device speaks, for example {@code OpenCL 3.0 CUDA}} */
     public String openClVersion() {
         return openClVersion;
     }
 
-    /**
-     * Returns what the device is.
-     *
-     * @return its kind
-     */
+    /** {@return what the device is} */
     public Kind kind() {
         return kind;
     }
 
-    /**
-     * Returns the number of compute units: cores of a CPU, multiprocessors of a GPU.
-     *
-     * @return at least 1
-     */
+    /** {@return the number of compute units, at least 1: cores of a CPU, multiprocessors of a GPU} */
     public int computeUnits() {
         return computeUnits;
     }
 
-    /**
-     * Returns the greatest clock frequency.
-     *
-     * @return megahertz, 0 where the driver does not say
-     */
+    /** {@return the greatest clock frequency in megahertz, 0 where the driver does not say} */
     public int clockMegahertz() {
         return clockMegahertz;
     }
 
-    /**
-     * Returns the greatest number of work-items in a work-group of one dimension.
-     *
-     * @return at least 1
-     */
+    /** {@return the greatest number of work-items in a work-group of one dimension, at least 1} */
     public int maxWorkGroupSize() {
         return maxWorkGroupSize;
     }
 
-    /**
-     * Returns the size of the device's memory.
-     *
-     * @return bytes
-     */
+    /** {@return the size of the device's memory in bytes} */
     public long memoryBytes() {
         return memoryBytes;
     }
 
-    /**
-     * Returns the size of the largest single buffer.
-     *
-     * @return bytes
-     */
+    /** {@return the size of the largest single buffer in bytes} */
     public long maxBufferBytes() {
         return maxBufferBytes;
     }
 
-    /**
-     * Returns the size of a work-group's local memory.
-     *
-     * @return bytes
-     */
+    /** {@return the size of a work-group's local memory in bytes} */
     public long localMemoryBytes() {
         return localMemoryBytes;
     }
 
     /**
-     * Tells whether the device can round single-precision division and square root correctly. Where it cannot, results
-     * may differ from those of other devices in the last bit.
-     *
-     * @return true if it can
+     * {@return whether the device can round single-precision division and square root correctly} Where it cannot,
+     * results may differ from those of other devices in the last bit.
      */
     public boolean correctlyRounded() {
         return correctlyRounded;
     }
 
-    /**
-     * Tells whether the device computes in double precision, which OpenCL then requires to round correctly.
-     *
-     * @return true if it does
-     */
+    /** {@return whether the device computes in double precision, which OpenCL then requires to round correctly} */
     public boolean doublePrecision() {
         return handle.isDoubleSupportedKHR(); // a long text of the driver's, which few ask for
     }

@@ -43,11 +43,7 @@ public final class DeviceBuffer implements AutoCloseable {
         session.own(handle);
     }
 
-    /**
-     * Returns the size that was asked for.
-     *
-     * @return bytes
-     */
+    /** {@return the size that was asked for, in bytes} */
     public long bytes() {
         return bytes;
     }
@@ -68,16 +64,11 @@ public final class DeviceBuffer implements AutoCloseable {
      * @param source its remaining floats are written; its position is left as it is
      */
     public void write(long offset, FloatBuffer source) {
-        FloatBuffer rest = source.duplicate();
-        HostBuffer staging = checkedStaging(offset, 4L * rest.remaining());
-        for (long at = offset; rest.hasRemaining(); ) {
-            int count = Math.min(rest.remaining(), staging.floats().capacity());
-            FloatBuffer piece = rest.slice();
-            piece.limit(count);
-            staging.floats().duplicate().put(piece);
-            write(at, staging, 0, 4L * count);
-            rest.position(rest.position() + count);
-            at += 4L * count;
+        HostBuffer staging = checkedStaging(offset, 4L * source.remaining());
+        for (int from = source.position(), count; from < source.limit(); from += count) {
+            count = Math.min(source.limit() - from, staging.floats().capacity());
+            staging.floats().put(0, source, from, count);
+            write(offset + 4L * (from - source.position()), staging, 0, 4L * count);
         }
     }
 
@@ -88,16 +79,11 @@ public final class DeviceBuffer implements AutoCloseable {
      * @param source its remaining ints are written; its position is left as it is
      */
     public void write(long offset, IntBuffer source) {
-        IntBuffer rest = source.duplicate();
-        HostBuffer staging = checkedStaging(offset, 4L * rest.remaining());
-        for (long at = offset; rest.hasRemaining(); ) {
-            int count = Math.min(rest.remaining(), staging.ints().capacity());
-            IntBuffer piece = rest.slice();
-            piece.limit(count);
-            staging.ints().duplicate().put(piece);
-            write(at, staging, 0, 4L * count);
-            rest.position(rest.position() + count);
-            at += 4L * count;
+        HostBuffer staging = checkedStaging(offset, 4L * source.remaining());
+        for (int from = source.position(), count; from < source.limit(); from += count) {
+            count = Math.min(source.limit() - from, staging.ints().capacity());
+            staging.ints().put(0, source, from, count);
+            write(offset + 4L * (from - source.position()), staging, 0, 4L * count);
         }
     }
 
@@ -117,15 +103,11 @@ public final class DeviceBuffer implements AutoCloseable {
      * @param target as many floats as remain in it are read; its position is left as it is
      */
     public void read(long offset, FloatBuffer target) {
-        FloatBuffer rest = target.duplicate();
-        HostBuffer staging = checkedStaging(offset, 4L * rest.remaining());
-        for (long at = offset; rest.hasRemaining(); ) {
-            int count = Math.min(rest.remaining(), staging.floats().capacity());
-            read(at, staging, 0, 4L * count);
-            FloatBuffer piece = staging.floats().duplicate();
-            piece.limit(count);
-            rest.put(piece);
-            at += 4L * count;
+        HostBuffer staging = checkedStaging(offset, 4L * target.remaining());
+        for (int to = target.position(), count; to < target.limit(); to += count) {
+            count = Math.min(target.limit() - to, staging.floats().capacity());
+            read(offset + 4L * (to - target.position()), staging, 0, 4L * count);
+            target.put(to, staging.floats(), 0, count);
         }
     }
 
@@ -145,15 +127,11 @@ public final class DeviceBuffer implements AutoCloseable {
      * @param target as many ints as remain in it are read; its position is left as it is
      */
     public void read(long offset, IntBuffer target) {
-        IntBuffer rest = target.duplicate();
-        HostBuffer staging = checkedStaging(offset, 4L * rest.remaining());
-        for (long at = offset; rest.hasRemaining(); ) {
-            int count = Math.min(rest.remaining(), staging.ints().capacity());
-            read(at, staging, 0, 4L * count);
-            IntBuffer piece = staging.ints().duplicate();
-            piece.limit(count);
-            rest.put(piece);
-            at += 4L * count;
+        HostBuffer staging = checkedStaging(offset, 4L * target.remaining());
+        for (int to = target.position(), count; to < target.limit(); to += count) {
+            count = Math.min(target.limit() - to, staging.ints().capacity());
+            read(offset + 4L * (to - target.position()), staging, 0, 4L * count);
+            target.put(to, staging.ints(), 0, count);
         }
     }
 

@@ -26,19 +26,14 @@ public final class DeviceMemoryException extends OpenClException {
         this.availableBytes = availableBytes;
     }
 
-    /**
-     * Returns what was asked for.
-     *
-     * @return bytes
-     */
+    /** {@return the bytes that were asked for in all} */
     public long neededBytes() {
         return neededBytes;
     }
 
     /**
-     * Returns what the device could still give: the tighter of its free memory and its largest single buffer.
-     *
-     * @return bytes
+     * {@return the bytes that the device could still give: the tighter of its free memory and its largest single
+     * buffer}
      */
     public long availableBytes() {
         return availableBytes;

@@ -67,38 +67,25 @@ public final class HostBuffer implements AutoCloseable {
         ints = bytes.asIntBuffer();
     }
 
-    /**
-     * Returns the size that was asked for.
-     *
-     * @return bytes
-     */
+    /** {@return the size that was asked for, in bytes} */
     public long size() {
         return size;
     }
 
     /**
-     * Returns the memory as bytes. Position and limit belong to all who share this view: duplicate it to move them.
-     *
-     * @return the same view at every call
+     * {@return the memory as bytes, the same view at every call} Position and limit belong to all who share this view:
+     * duplicate it to move them.
      */
     public ByteBuffer bytes() {
         return bytes;
     }
 
-    /**
-     * Returns the memory as floats.
-     *
-     * @return the same view at every call
-     */
+    /** {@return the memory as floats, the same view at every call} */
     public FloatBuffer floats() {
         return floats;
     }
 
-    /**
-     * Returns the memory as ints.
-     *
-     * @return the same view at every call
-     */
+    /** {@return the memory as ints, the same view at every call} */
     public IntBuffer ints() {
         return ints;
     }

@@ -67,19 +67,14 @@ public final class Kernel implements AutoCloseable {
         return understates ? required : Math.min(required, limit(device));
     }
 
-    /**
-     * Returns the name of the kernel function.
-     *
-     * @return its name
-     */
+    /** {@return the name of the kernel function} */
     public String name() {
         return name;
     }
 
     /**
-     * Returns the greatest work-group that this kernel can run in on this device: if its text requires a size, no more than that.
-     *
-     * @return work-items, at least 1
+     * {@return the greatest work-group that this kernel can run in on this device, at least 1 work-item} If its text
+     * requires a size, it is no more than that.
      */
     public int maxWorkGroupSize() {
         return maxWorkGroupSize;

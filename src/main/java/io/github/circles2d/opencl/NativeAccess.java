@@ -20,12 +20,21 @@ import org.bridj.BridJ;
 final class NativeAccess {
     private static final System.Logger LOG = System.getLogger(NativeAccess.class.getName());
 
+    /** A jar through which Java reaches OpenCL, which a program may leave out: its Maven coordinates, and one of its classes. */
+    private record Jar(String coordinates, String className) {}
+
+    private static final List<Jar> JARS = List.of(
+            new Jar("com.nativelibs4java:javacl-core", "com.nativelibs4java.opencl.JavaCL"),
+            new Jar("com.nativelibs4java:opencl4java", "com.nativelibs4java.opencl.library.OpenCLLibrary"),
+            new Jar("com.nativelibs4java:nativelibs4java-utils", "com.nativelibs4java.util.ValuedEnum"),
+            new Jar("com.nativelibs4java:bridj", "org.bridj.BridJ"));
+
     private NativeAccess() {}
 
     /** Prepares this JVM for JavaCL; throws what would otherwise be a linkage error later. */
     static void prepare() {
         requireSupportedPlatform();
-        Jars.require();
+        requireJars();
         keepBridjQuiet();
         BridjLibrary.load();
         if (isLinux()) {
@@ -60,6 +69,27 @@ final class NativeAccess {
                             + ". It has them for Linux (x86-64, x86, 32-bit Arm), Windows (x86-64, x86) and macOS (x86-64). Use a Java"
                             + " of one of these (on a Mac with Apple silicon it runs under Rosetta 2), or build BridJ's library"
                             + " yourself and name it with -Dbridj.library=FILE.");
+        }
+    }
+
+    /** Throws if one of them is missing. No class is initialised, so no native library is loaded. */
+    private static void requireJars() {
+        List<String> missing = new ArrayList<>();
+        Throwable cause = null;
+        for (Jar jar : JARS) {
+            try {
+                Class.forName(jar.className, false, NativeAccess.class.getClassLoader());
+            } catch (ClassNotFoundException | LinkageError e) {
+                missing.add(jar.coordinates);
+                cause = e;
+            }
+        }
+        if (!missing.isEmpty()) {
+            throw new OpenClUnavailableException(
+                    "the class path lacks " + String.join(", ", missing) + ", through which Java reaches OpenCL. Add "
+                            + (missing.size() == 1 ? "it" : "them")
+                            + ", for example by depending on io.github.circles2d:circles2d without exclusions.",
+                    cause);
         }
     }
 

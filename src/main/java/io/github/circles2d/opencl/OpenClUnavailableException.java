@@ -8,6 +8,12 @@ package io.github.circles2d.opencl;
 public final class OpenClUnavailableException extends OpenClException {
     private static final long serialVersionUID = 1L;
 
+    /** What to tell a user who lacks a driver. */
+    private static final String ADVICE =
+            "Install an OpenCL driver: on Debian and Ubuntu `apt-get install pocl-opencl-icd` (runs on any x86-64 CPU), on Fedora"
+                    + " `dnf install pocl`, on Arch `pacman -S pocl`; for a GPU the vendor's driver with its OpenCL part. On Windows"
+                    + " it comes with the graphics driver, on macOS with the system.";
+
     /** Whether no driver is installed. */
     private final boolean driverMissing;
 
@@ -37,7 +43,7 @@ public final class OpenClUnavailableException extends OpenClException {
 
     /** Returns the exception of a missing driver; the message ends with how to install one. */
     static OpenClUnavailableException withoutDriver(String what, Throwable cause) {
-        return new OpenClUnavailableException(what + ". " + Advice.INSTALL, cause, true);
+        return new OpenClUnavailableException(what + ". " + ADVICE, cause, true);
     }
 
     /** Returns an exception that says the same, for a further caller. */
@@ -45,11 +51,7 @@ public final class OpenClUnavailableException extends OpenClException {
         return new OpenClUnavailableException(getMessage(), this, driverMissing);
     }
 
-    /**
-     * Returns whether a driver is what is missing.
-     *
-     * @return true if installing a driver may be the cure, false if it cannot be
-     */
+    /** {@return whether a driver is what is missing, so that installing one may be the cure} */
     public boolean isDriverMissing() {
         return driverMissing;
     }

@@ -86,11 +86,7 @@ public final class ReachableNames {
         return reached;
     }
 
-    /**
-     * Returns the names of all kernels, whether or not the preprocessor leaves them in.
-     *
-     * @return names
-     */
+    /** {@return the names of all kernels, whether or not the preprocessor leaves them in} */
     public Set<String> kernels() {
         Set<String> kernels = new HashSet<>();
         for (Function function : functions) {

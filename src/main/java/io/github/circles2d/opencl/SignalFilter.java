@@ -40,7 +40,7 @@ final class SignalFilter {
      * @return false if the system refuses
      */
     static boolean install() {
-        LinuxAbi abi = LinuxAbi.HERE;
+        StandardC.LinuxAbi abi = StandardC.LinuxAbi.HERE;
         ByteBuffer program =
                 ByteBuffer.allocateDirect(INSTRUCTIONS * INSTRUCTION_BYTES).order(ByteOrder.nativeOrder());
         add(program, LOAD, 0, 0, PROCESSOR);
@@ -77,7 +77,7 @@ final class SignalFilter {
                 .putInt(operand);
     }
 
-    private static boolean set(LinuxAbi abi, int flags, ByteBuffer description) {
+    private static boolean set(StandardC.LinuxAbi abi, int flags, ByteBuffer description) {
         long address = Pointer.pointerToBytes(description).getPeer();
         boolean installed = StandardC.systemCall(abi.seccomp(), SET_FILTER, flags, address, 0) == 0;
         Reference.reachabilityFence(description);

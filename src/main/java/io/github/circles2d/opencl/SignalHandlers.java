@@ -73,6 +73,6 @@ final class SignalHandlers {
     }
 
     private void call(int at, long handler, long old) {
-        StandardC.systemCall(LinuxAbi.HERE.rtSigaction(), at / SIZE + 1, handler, old, SET);
+        StandardC.systemCall(StandardC.LinuxAbi.HERE.rtSigaction(), at / SIZE + 1, handler, old, SET);
     }
 }

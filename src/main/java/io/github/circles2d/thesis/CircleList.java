@@ -15,19 +15,9 @@ public final class CircleList {
     private float[] velocities = new float[16 * VELOCITY];
     private int size;
 
-    /** Creates an empty list. */
-    public CircleList() {}
-
     /**
-     * Adds a circle.
-     *
-     * @param x horizontal position, from -1e6 to 1e6
-     * @param y vertical position, from -1e6 to 1e6
-     * @param radius from 1e-6 to 1e6
-     * @param mass from 1e-6 to 1e6
-     * @param vx horizontal velocity, from -1e6 to 1e6
-     * @param vy vertical velocity, from -1e6 to 1e6
-     * @throws IllegalArgumentException if one of them is out of its range; nothing is added then
+     * Adds a circle: positions and velocities from -1e6 to 1e6, radius and mass from 1e-6 to 1e6. Throws
+     * IllegalArgumentException if one of them is out of its range; nothing is added then.
      */
     public void add(float x, float y, float radius, float mass, float vx, float vy) {
         Ranges.circle(x, y, radius, mass, vx, vy);
@@ -51,11 +41,7 @@ public final class CircleList {
         size = 0;
     }
 
-    /**
-     * Returns the number of circles.
-     *
-     * @return 0 or more
-     */
+    /** The number of circles. */
     public int size() {
         return size;
     }

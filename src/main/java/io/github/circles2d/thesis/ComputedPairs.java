@@ -11,22 +11,13 @@ import io.github.circles2d.opencl.Session;
  * counted on the device and skipped.
  */
 public final class ComputedPairs extends PairStrategy {
-    /** Creates the strategy. */
-    public ComputedPairs() {}
+    public ComputedPairs() {
+        super("detect_collisions", "resolve_collisions");
+    }
 
     @Override
     public KernelSource source(int circles) {
         return KernelSource.of(THESIS_KERNELS, "thesis/WrongSlots.cl");
-    }
-
-    @Override
-    Kernel detect(Program program, State state) {
-        return detectBySlot(program.kernel("detect_collisions"), state);
-    }
-
-    @Override
-    Kernel resolve(Program program, State state, float restitution) {
-        return resolveBySlot(program.kernel("resolve_collisions"), state, restitution);
     }
 
     @Override

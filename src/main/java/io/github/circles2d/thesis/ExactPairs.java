@@ -1,26 +1,15 @@
 package io.github.circles2d.thesis;
 
-import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
-import io.github.circles2d.opencl.Program;
 
 /** Strategy 3, exact: no table, and a closed form that is right for every slot. */
 public final class ExactPairs extends PairStrategy {
-    /** Creates the strategy. */
-    public ExactPairs() {}
+    public ExactPairs() {
+        super("detect_collisions_exact", "resolve_collisions_exact");
+    }
 
     @Override
     public KernelSource source(int circles) {
         return KernelSource.of(THESIS_KERNELS, "thesis/ExactPairs.cl");
-    }
-
-    @Override
-    Kernel detect(Program program, State state) {
-        return detectBySlot(program.kernel("detect_collisions_exact"), state);
-    }
-
-    @Override
-    Kernel resolve(Program program, State state, float restitution) {
-        return resolveBySlot(program.kernel("resolve_collisions_exact"), state, restitution);
     }
 }

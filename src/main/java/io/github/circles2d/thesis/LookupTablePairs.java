@@ -2,9 +2,7 @@ package io.github.circles2d.thesis;
 
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.HostBuffer;
-import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
-import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 import java.nio.IntBuffer;
 
@@ -13,10 +11,9 @@ public final class LookupTablePairs extends PairStrategy {
     /** The table goes to the device in pieces of this many slots. */
     private static final int PIECE = 1 << 19;
 
-    private DeviceBuffer indexes;
-
-    /** Creates the strategy. */
-    public LookupTablePairs() {}
+    public LookupTablePairs() {
+        super("detect_collisions_precomputed_pairs", "resolve_collisions_with_pairs");
+    }
 
     @Override
     public KernelSource source(int circles) {
@@ -30,7 +27,7 @@ public final class LookupTablePairs extends PairStrategy {
 
     @Override
     void open(Session session, int circles) {
-        indexes = session.allocate("indexes", tableBytes(circles));
+        DeviceBuffer indexes = makeTable(session, "indexes", circles);
         long slots = PairSlots.count(circles);
         try (HostBuffer piece = session.hostBuffer(MemoryNeed.SLOT_BYTES * Math.min(slots, PIECE))) {
             IntBuffer pairs = piece.ints();
@@ -50,35 +47,8 @@ public final class LookupTablePairs extends PairStrategy {
         }
     }
 
-    /** Returns the table, once it is open. */
-    DeviceBuffer table() {
-        return indexes;
-    }
-
     @Override
-    Kernel detect(Program program, State state) {
-        return program.kernel("detect_collisions_precomputed_pairs")
-                .arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, indexes)
-                .arg(3, state.slots);
-    }
-
-    @Override
-    Kernel resolve(Program program, State state, float restitution) {
-        return program.kernel("resolve_collisions_with_pairs")
-                .arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, state.velocities)
-                .arg(3, indexes)
-                .arg(4, state.slots)
-                .arg(5, restitution);
-    }
-
-    @Override
-    public void close() {
-        if (indexes != null) {
-            indexes.close();
-        }
+    boolean takesCircles() {
+        return false;
     }
 }

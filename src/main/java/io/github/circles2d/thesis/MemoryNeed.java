@@ -25,24 +25,14 @@ public final class MemoryNeed {
         largestBufferBytes = Math.max(bodies, Math.max(collisions, table));
     }
 
-    /**
-     * Computes the need.
-     *
-     * @param strategy the strategy, which may have a table
-     * @param circles the number of circles
-     * @return the need
-     */
+    /** Computes the need of a strategy, which may have a table, for a number of circles. */
     public static MemoryNeed of(PairStrategy strategy, int circles) {
         return new MemoryNeed(strategy, circles);
     }
 
     /**
-     * Checks that it fits.
-     *
-     * @param device where it is to fit
-     * @param freeBytes what is free there
-     * @throws DeviceMemoryException if it does not; the message says how many bytes are needed, how many there are, and how
-     *     many circles would fit
+     * Throws if it does not fit; the message says how many bytes are needed, how many there are, and how many circles
+     * would fit.
      */
     public void requireRoom(Device device, long freeBytes) {
         if (fits(device, freeBytes)) {
@@ -72,13 +62,7 @@ public final class MemoryNeed {
         return SLOT_BYTES * PairSlots.count(circles);
     }
 
-    /**
-     * Tells whether it fits.
-     *
-     * @param device where it is to fit
-     * @param freeBytes what is free there
-     * @return true if it does
-     */
+    /** Whether it fits into what is free of a device. */
     public boolean fits(Device device, long freeBytes) {
         return circles <= PairSlots.MAX_CIRCLES
                 && totalBytes <= freeBytes

@@ -10,23 +10,12 @@ public final class PairSlots {
 
     private PairSlots() {}
 
-    /**
-     * Returns the number of slots.
-     *
-     * @param circles n, at least 0
-     * @return n(n-1)/2
-     */
+    /** The number of slots of n circles: n(n-1)/2. */
     public static long count(int circles) {
         return (long) circles * (circles - 1) / 2;
     }
 
-    /**
-     * Returns the first slot of a row.
-     *
-     * @param row i, from 0 to n
-     * @param circles n
-     * @return i(n-1) - i(i-1)/2, which is the number of slots in the rows before it
-     */
+    /** The first slot of row i, from 0 to n: i(n-1) - i(i-1)/2, which is the number of slots in the rows before it. */
     public static long firstOfRow(int row, int circles) {
         return (long) row * (circles - 1) - (long) row * (row - 1) / 2;
     }

@@ -14,15 +14,19 @@ public abstract class PairStrategy implements AutoCloseable {
     /** The thesis's kernels, with the helpers that all others use. */
     static final String THESIS_KERNELS = "CirclePhysV2.cl";
 
-    /** For the classes of this package alone. */
-    PairStrategy() {}
+    private final String detectKernel;
+    private final String resolveKernel;
 
-    /**
-     * Returns the source of the kernels.
-     *
-     * @param circles the number of circles that they will serve
-     * @return the source
-     */
+    /** Null if the strategy needs none, or has not been opened. */
+    private DeviceBuffer table;
+
+    /** For the classes of this package alone: names of the two kernels. */
+    PairStrategy(String detectKernel, String resolveKernel) {
+        this.detectKernel = detectKernel;
+        this.resolveKernel = resolveKernel;
+    }
+
+    /** The source of the kernels that will serve a number of circles. */
     public abstract KernelSource source(int circles);
 
     /** Returns the size of the table for a number of circles. */
@@ -33,29 +37,50 @@ public abstract class PairStrategy implements AutoCloseable {
     /** Makes and fills the table. */
     void open(Session session, int circles) {}
 
-    /** Makes the kernel that finds the minimum translation vector of every pair, with its arguments. */
-    abstract Kernel detect(Program program, State state);
-
-    /** The arguments of {@link #detect}, of a kernel that needs no table. */
-    static Kernel detectBySlot(Kernel kernel, State state) {
-        return kernel.arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, state.slots)
-                .arg(3, state.circles);
+    /** Makes the table, which is closed with the strategy. */
+    final DeviceBuffer makeTable(Session session, String name, int circles) {
+        table = session.allocate(name, tableBytes(circles));
+        return table;
     }
 
-    /** The arguments of {@link #resolve}, likewise. */
-    static Kernel resolveBySlot(Kernel kernel, State state, float restitution) {
-        return kernel.arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, state.velocities)
-                .arg(3, state.slots)
-                .arg(4, state.circles)
-                .arg(5, restitution);
+    /** Returns the table, once it is open. */
+    final DeviceBuffer table() {
+        return table;
+    }
+
+    /** Whether kernels take the number of circles. */
+    boolean takesCircles() {
+        return true;
+    }
+
+    /** Makes the kernel that finds the minimum translation vector of every pair, with its arguments. */
+    Kernel detect(Program program, State state) {
+        Kernel kernel = program.kernel(detectKernel).arg(0, state.circle).arg(1, state.collision);
+        bindPairs(kernel, 2, state);
+        return kernel;
     }
 
     /** Makes the kernel that parts overlapping pairs and exchanges their impulses, with its arguments. */
-    abstract Kernel resolve(Program program, State state, float restitution);
+    Kernel resolve(Program program, State state, float restitution) {
+        Kernel kernel = program.kernel(resolveKernel)
+                .arg(0, state.circle)
+                .arg(1, state.collision)
+                .arg(2, state.velocities);
+        return kernel.arg(bindPairs(kernel, 3, state), restitution);
+    }
+
+    /** Sets the arguments by which a kernel finds pairs, from one on. Returns the next. */
+    private int bindPairs(Kernel kernel, int first, State state) {
+        int next = first;
+        if (table != null) {
+            kernel.arg(next++, table);
+        }
+        kernel.arg(next++, state.slots);
+        if (takesCircles()) {
+            kernel.arg(next++, state.circles);
+        }
+        return next;
+    }
 
     /** Counts the slots that are mapped wrongly, on the device; may leave anything in the collision buffer. */
     long countWrongSlots(Session session, Program program, State state) {
@@ -64,7 +89,11 @@ public abstract class PairStrategy implements AutoCloseable {
 
     /** Releases the table. */
     @Override
-    public void close() {}
+    public void close() {
+        if (table != null) {
+            table.close();
+        }
+    }
 
     /** What the kernels work on. */
     static final class State {

@@ -17,13 +17,8 @@ public final class Parameters {
     }
 
     /**
-     * Checks the scalars of a simulation.
-     *
-     * @param timeStep seconds, from 1e-6 to 1
-     * @param restitution from 0 to 1
-     * @param gravity two values from -1e4 to 1e4
-     * @return the parameters
-     * @throws IllegalArgumentException if one of them is out of its range
+     * Takes seconds from 1e-6 to 1, a restitution from 0 to 1, and gravity along x and y from -1e4 to 1e4. Throws
+     * IllegalArgumentException if one of them is out of its range.
      */
     public static Parameters of(float timeStep, float restitution, float[] gravity) {
         Ranges.timeStep(timeStep);

@@ -2,9 +2,7 @@ package io.github.circles2d.thesis;
 
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.HostBuffer;
-import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
-import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 
 /**
@@ -14,10 +12,9 @@ import io.github.circles2d.opencl.Session;
 public final class RowSearchPairs extends PairStrategy {
     private static final long ROW_BYTES = 2L * Integer.BYTES;
 
-    private DeviceBuffer rows;
-
-    /** Creates the strategy. */
-    public RowSearchPairs() {}
+    public RowSearchPairs() {
+        super("detect_collisions_precomputed_rows", "resolve_collisions_with_rows");
+    }
 
     @Override
     public KernelSource source(int circles) {
@@ -36,47 +33,13 @@ public final class RowSearchPairs extends PairStrategy {
 
     @Override
     void open(Session session, int circles) {
-        rows = session.allocate("rows", tableBytes(circles));
+        DeviceBuffer rows = makeTable(session, "rows", circles);
         try (HostBuffer table = session.hostBuffer(tableBytes(circles))) {
             for (int i = 0; i < circles; i++) {
                 table.ints().put(2 * i, (int) PairSlots.firstOfRow(i, circles));
                 table.ints().put(2 * i + 1, (int) (PairSlots.firstOfRow(i + 1, circles) - 1));
             }
             rows.write(0, table, 0, tableBytes(circles));
-        }
-    }
-
-    /** Returns the table, once it is open. */
-    DeviceBuffer table() {
-        return rows;
-    }
-
-    @Override
-    Kernel detect(Program program, State state) {
-        return program.kernel("detect_collisions_precomputed_rows")
-                .arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, rows)
-                .arg(3, state.slots)
-                .arg(4, state.circles);
-    }
-
-    @Override
-    Kernel resolve(Program program, State state, float restitution) {
-        return program.kernel("resolve_collisions_with_rows")
-                .arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, state.velocities)
-                .arg(3, rows)
-                .arg(4, state.slots)
-                .arg(5, state.circles)
-                .arg(6, restitution);
-    }
-
-    @Override
-    public void close() {
-        if (rows != null) {
-            rows.close();
         }
     }
 }

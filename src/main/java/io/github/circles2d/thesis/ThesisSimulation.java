@@ -45,14 +45,7 @@ public final class ThesisSimulation implements AutoCloseable {
         interleaved = new float[CircleList.BODY * size];
     }
 
-    /**
-     * Returns what to compile for a strategy on a device.
-     *
-     * @param strategy the strategy
-     * @param size number of circles
-     * @param device the device
-     * @return the source, with what suits the device defined
-     */
+    /** What to compile for a strategy and a number of circles, with what suits the device defined. */
     public static KernelSource source(PairStrategy strategy, int size, Device device) {
         KernelSource source = strategy.source(size);
         return device.kind() == Device.Kind.GPU ? source.and(ROWS_KERNEL).define("FEW_WORK_ITEMS", true) : source;
@@ -66,14 +59,8 @@ public final class ThesisSimulation implements AutoCloseable {
     }
 
     /**
-     * Builds a simulation. Whether it fits has been checked.
-     *
-     * @param session where to build it
-     * @param program the compiled {@link #source} of the strategy for this number of circles
-     * @param strategy the strategy, which the simulation closes
-     * @param circles the circles to start from
-     * @param parameters time step, restitution, gravity
-     * @return the simulation, before its first step
+     * Builds a simulation, before its first step, of the compiled {@link #source}; whether it fits has been checked. It
+     * closes the strategy.
      */
     public static ThesisSimulation start(
             Session session, Program program, PairStrategy strategy, CircleList circles, Parameters parameters) {
@@ -132,11 +119,7 @@ public final class ThesisSimulation implements AutoCloseable {
         resolve.run(slotItems);
     }
 
-    /**
-     * Reads the circles.
-     *
-     * @return new rows x, y, radius, mass
-     */
+    /** New rows x, y, radius, mass. */
     public float[][] circles() {
         return rows == null ? circlesOutOfInterleaved() : circlesOutOfRows();
     }
@@ -169,11 +152,7 @@ public final class ThesisSimulation implements AutoCloseable {
         return new float[][] {x, y, radius, mass};
     }
 
-    /**
-     * Reads the velocities.
-     *
-     * @return new rows vx, vy
-     */
+    /** New rows vx, vy. */
     public float[][] velocities() {
         velocities.read(0, transfer, 0, velocities.bytes());
         transfer.floats().get(0, interleaved, 0, CircleList.VELOCITY * size);
@@ -186,20 +165,12 @@ public final class ThesisSimulation implements AutoCloseable {
         return new float[][] {vx, vy};
     }
 
-    /**
-     * Returns how many slots the strategy maps wrongly.
-     *
-     * @return their number, counted at the start
-     */
+    /** How many slots the strategy maps wrongly, counted at the start. */
     public long wrongSlots() {
         return wrongSlots;
     }
 
-    /**
-     * Returns the device memory that closing gives back.
-     *
-     * @return bytes
-     */
+    /** The bytes of device memory that closing gives back. */
     public long deviceBytes() {
         return circle.bytes() + velocities.bytes() + gravity.bytes() + collision.bytes() + strategy.tableBytes(size);
     }

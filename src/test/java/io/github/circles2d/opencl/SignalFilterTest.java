@@ -61,7 +61,7 @@ class SignalFilterTest {
             handler.putInt(0, (int) IGNORE);
         }
         Pointer<Byte> memory = Pointer.pointerToBytes(handler);
-        boolean set = StandardC.systemCall(LinuxAbi.HERE.rtSigaction(), USR1, memory.getPeer(), 0, 8) == 0;
+        boolean set = StandardC.systemCall(StandardC.LinuxAbi.HERE.rtSigaction(), USR1, memory.getPeer(), 0, 8) == 0;
         java.lang.ref.Reference.reachabilityFence(handler);
         return set;
     }

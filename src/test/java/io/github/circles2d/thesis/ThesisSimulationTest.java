@@ -71,6 +71,7 @@ class ThesisSimulationTest {
         private final Stage stage;
 
         Failing(Stage stage) {
+            super("none", "none");
             this.stage = stage;
         }
 

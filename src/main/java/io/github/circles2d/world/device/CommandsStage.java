@@ -1,6 +1,5 @@
 package io.github.circles2d.world.device;
 
-import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.bodies.RigidStep;
@@ -35,7 +34,6 @@ final class CommandsStage {
 
     private static final long KINDS_BYTES = PairTable.KINDS / Byte.SIZE;
 
-    private final Session session;
     private final DeviceArrays arrays;
     private StageKernels kernels;
     private Kernel apply;
@@ -45,13 +43,13 @@ final class CommandsStage {
     private Kernel wake;
 
     /** By record: the circle before and behind a change that wakes those near to it. */
-    private DeviceBuffer changed;
+    private final GrownBuffer changed;
 
     /** A bit of each kind whose circles wake. */
-    private DeviceBuffer kindsToWake;
+    private final GrownBuffer kindsToWake;
 
-    private DeviceBuffer records;
-    private DeviceBuffer links;
+    private final GrownBuffer records;
+    private final GrownBuffer links;
 
     /** By id: its last record so far of the batch numbered by {@link #batchOf}. */
     private int[] last = new int[LEAST_CAPACITY];
@@ -72,11 +70,12 @@ final class CommandsStage {
     private int freeCount;
 
     CommandsStage(Session session, StageKernels kernels, DeviceArrays arrays) {
-        this.session = session;
         this.arrays = arrays;
+        records = new GrownBuffer(session, "commands");
+        links = new GrownBuffer(session, "command links");
+        changed = new GrownBuffer(session, "changed circles");
+        kindsToWake = new GrownBuffer(session, "kinds to wake");
         use(kernels);
-        records = session.allocate("commands", RECORD_BYTES * LEAST_CAPACITY);
-        links = session.allocate("command links", LINK_BYTES * LEAST_CAPACITY);
     }
 
     /** Applies commands by kernels that know whether circles turn, and sleep. */
@@ -84,12 +83,10 @@ final class CommandsStage {
         kernels = withAll;
         apply = withAll.staged("commands_apply");
         confine = withAll.plain("commands_confine");
-        if (arrays.sleeping()) {
+        if (arrays.features().sleeping()) {
             wake = withAll.plain("commands_wake");
-            if (changed == null) {
-                changed = session.allocate("changed circles", CHANGED_BYTES * LEAST_CAPACITY);
-                kindsToWake = session.allocate("kinds to wake", KINDS_BYTES);
-            }
+            changed.ensureRoomy(0);
+            kindsToWake.ensure(KINDS_BYTES);
         }
     }
 
@@ -111,13 +108,10 @@ final class CommandsStage {
             link = new int[LINK_STRIDE * (count + (count >> 1))];
         }
         arrays.ensureIds(last.length);
-        int more = count + (count >> 1);
-        records = GrownBuffer.of(session, "commands", records, RECORD_BYTES * count, RECORD_BYTES * more);
-        links = GrownBuffer.of(session, "command links", links, LINK_BYTES * count, LINK_BYTES * more);
+        records.ensureRoomy(RECORD_BYTES * count);
+        links.ensureRoomy(LINK_BYTES * count);
         if (wake != null) {
-            int rows = count + commands.areas(); // twice as much as areas need
-            changed = GrownBuffer.of(
-                    session, "changed circles", changed, CHANGED_BYTES * rows, CHANGED_BYTES * (rows + (rows >> 1)));
+            changed.ensureRoomy(CHANGED_BYTES * (count + commands.areas())); // twice as much as areas need
         }
         arrays.ensureSlots(slots + Math.max(0, commands.added() - freeCount), slots);
     }
@@ -131,11 +125,13 @@ final class CommandsStage {
         }
         int nextSlot = link(commands, slots);
         kernels.bind(arrays, nextSlot, circles);
-        records.write(0, IntBuffer.wrap(commands.records(), 0, Commands.STRIDE * count));
-        links.write(0, IntBuffer.wrap(link, 0, LINK_STRIDE * count));
-        apply.arg(StageKernels.own(0), records).arg(StageKernels.own(1), links).arg(StageKernels.own(2), count);
+        records.get().write(0, IntBuffer.wrap(commands.records(), 0, Commands.STRIDE * count));
+        links.get().write(0, IntBuffer.wrap(link, 0, LINK_STRIDE * count));
+        apply.arg(StageKernels.own(0), records.get())
+                .arg(StageKernels.own(1), links.get())
+                .arg(StageKernels.own(2), count);
         if (wake != null) {
-            apply.arg(StageKernels.own(3), changed);
+            apply.arg(StageKernels.own(3), changed.get());
         }
         apply.run(count);
         wake(commands, nextSlot, arena, bodies);
@@ -153,7 +149,7 @@ final class CommandsStage {
         }
         putAreas(commands);
         if (commands.wakesSome()) {
-            kindsToWake.write(0, IntBuffer.wrap(commands.kindsToWake()));
+            kindsToWake.get().write(0, IntBuffer.wrap(commands.kindsToWake()));
         }
         wake.arg(0, arrays.get(DeviceArray.HOME_ID))
                 .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
@@ -161,12 +157,12 @@ final class CommandsStage {
                 .arg(3, arrays.get(DeviceArray.HOME_TRAITS))
                 .arg(4, arrays.get(DeviceArray.HOME_SLEEP))
                 .arg(5, slots)
-                .arg(6, changed)
+                .arg(6, changed.get())
                 .arg(7, 2 * commands.count() + commands.areas())
                 .arg(8, arena.periodX())
                 .arg(9, arena.periodY())
                 .arg(10, commands.wakesSome() ? 1 : 0)
-                .arg(11, kindsToWake)
+                .arg(11, kindsToWake.get())
                 .arg(12, commands.wallsToWake())
                 .arg(13, arrays.get(DeviceArray.FIELDS))
                 .run(slots);
@@ -179,7 +175,7 @@ final class CommandsStage {
         }
         if (near) {
             float[] circles = new float[CircleRow.of(2 * commands.count())];
-            changed.read(FloatBuffer.wrap(circles));
+            changed.get().read(FloatBuffer.wrap(circles));
             for (int s = 0; s < circles.length; s += CircleRow.STRIDE) {
                 if (circles[s + CircleRow.MASS] > 0f) {
                     bodies.wakeNear(
@@ -204,7 +200,7 @@ final class CommandsStage {
             System.arraycopy(commands.areaValues(), Commands.AREA * k, rows, CircleRow.of(k), Commands.AREA);
             rows[CircleRow.of(k) + CircleRow.MASS] = 1f;
         }
-        changed.write(CHANGED_BYTES * commands.count(), FloatBuffer.wrap(rows));
+        changed.get().write(CHANGED_BYTES * commands.count(), FloatBuffer.wrap(rows));
     }
 
     private static boolean wakesNear(Commands commands) {
@@ -241,23 +237,21 @@ final class CommandsStage {
                 .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
                 .arg(2, arrays.get(DeviceArray.HOME_MOTION))
                 .arg(3, arrays.get(DeviceArray.HOME_TRAITS))
-                .arg(4, slots)
-                .arg(5, bounds.minX())
-                .arg(6, bounds.minY())
-                .arg(7, bounds.maxX())
-                .arg(8, bounds.maxY())
-                .arg(9, from.minX())
-                .arg(10, from.minY())
-                .arg(11, from.maxX())
-                .arg(12, from.maxY());
+                .arg(4, slots);
+        bind(confine, 5, bounds);
+        bind(confine, 9, from);
         if (wake != null) {
-            confine.arg(13, arrays.get(DeviceArray.HOME_SLEEP))
-                    .arg(14, calm.minX())
-                    .arg(15, calm.minY())
-                    .arg(16, calm.maxX())
-                    .arg(17, calm.maxY());
+            confine.arg(13, arrays.get(DeviceArray.HOME_SLEEP));
+            bind(confine, 14, calm);
         }
         confine.run(slots);
+    }
+
+    private static void bind(Kernel kernel, int first, Bounds bounds) {
+        kernel.arg(first, bounds.minX())
+                .arg(first + 1, bounds.minY())
+                .arg(first + 2, bounds.maxX())
+                .arg(first + 3, bounds.maxY());
     }
 
     /** Links the records of each circle. */

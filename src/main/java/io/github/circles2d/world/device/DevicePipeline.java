@@ -81,7 +81,7 @@ public final class DevicePipeline implements Pipeline {
     private final RequestedPositions requested;
     private final DeviceSearch search;
     private final StepStatistics stats;
-    private final Home home = new Home();
+    private final StepQueue.Home home = new StepQueue.Home();
     private final JointTransfer joints;
     private final StepQueue queue;
 
@@ -147,7 +147,7 @@ public final class DevicePipeline implements Pipeline {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
             stats = new StepStatistics(arrays);
             joints = new JointTransfer(arrays);
-            ensure(features);
+            arrays.ensure(features);
             loaded = features(features.edges());
             kernels = kernelsOf(new Readiness(false, loaded, false, false));
             commands = new CommandsStage(session, kernels, arrays);
@@ -368,28 +368,7 @@ public final class DevicePipeline implements Pipeline {
                 kernelsOf(new Readiness(anySettings, features, reporting, reporting && reader.isRecording())),
                 reporting);
         stats.keep(); // the figures of the last step are worked out from arrays that give way
-        ensure(features);
-    }
-
-    private void ensure(Features features) {
-        if (features.turning()) {
-            arrays.ensureTurning();
-        }
-        if (features.terrain()) {
-            arrays.ensureTerrain();
-        }
-        if (features.joints()) {
-            arrays.ensureJoints();
-        }
-        if (features.sleeping()) {
-            arrays.ensureSleeping();
-        }
-        if (features.ownMotion()) {
-            arrays.ensureOwnMotion();
-        }
-        if (features.bodies()) {
-            arrays.ensureBodies();
-        }
+        arrays.ensure(features);
     }
 
     @Override
@@ -559,12 +538,12 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public boolean isAsleep(int id) {
         settle();
-        return arrays.sleeping() && readback.isAsleep(id);
+        return arrays.features().sleeping() && readback.isAsleep(id);
     }
 
     @Override
     public void readAsleep(long[] byId) {
-        if (arrays.sleeping()) {
+        if (arrays.features().sleeping()) {
             settle();
             readback.asleep(byId);
         }
@@ -638,7 +617,7 @@ public final class DevicePipeline implements Pipeline {
                 into.id[k++] = id;
             }
         }
-        if (arrays.terrain()) {
+        if (arrays.features().terrain()) {
             Arrays.sort(into.id, 0, k);
         }
     }
@@ -661,7 +640,7 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void savePieceContacts(SavedPieceContacts into) {
         into.clear();
-        if (arrays.terrain()) {
+        if (arrays.features().terrain()) {
             settle();
             new PieceTransfer(arrays, home.slots).save(into);
         }

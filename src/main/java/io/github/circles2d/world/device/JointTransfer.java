@@ -28,7 +28,7 @@ final class JointTransfer {
     }
 
     void makeRoom(SavedJointStates from) {
-        if (arrays.joints()) {
+        if (arrays.features().joints()) {
             arrays.ensureJoints(from.joints);
         }
     }

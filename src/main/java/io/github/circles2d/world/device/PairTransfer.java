@@ -29,7 +29,7 @@ final class PairTransfer implements ContactEvents.Remote, AutoCloseable {
     /** Steps made since the world was. */
     private int stepsMade;
 
-    private DeviceBuffer ids;
+    private final GrownBuffer ids;
 
     /** Pairs, as the table has them. */
     private int[] words = new int[0];
@@ -38,6 +38,7 @@ final class PairTransfer implements ContactEvents.Remote, AutoCloseable {
 
     PairTransfer(Session session, DeviceArrays arrays, EventArrays deciding, ContactEvents events) {
         this.session = session;
+        ids = new GrownBuffer(session, "events: circles");
         this.arrays = arrays;
         this.deciding = deciding;
         this.events = events;
@@ -59,7 +60,10 @@ final class PairTransfer implements ContactEvents.Remote, AutoCloseable {
     void send() {
         int count = events.pairs();
         if (deciding.freePlaces(0) < 2L * count || deciding.touching() == null) {
-            GrownBuffer.close(deciding.replaceTable(count));
+            DeviceBuffer before = deciding.replaceTable(count);
+            if (before != null) {
+                before.close();
+            }
         }
         deciding.setStep(stepsMade, true, 0);
         status.set(StatusWord.TOUCHING, count);
@@ -125,14 +129,7 @@ final class PairTransfer implements ContactEvents.Remote, AutoCloseable {
 
     @Override
     public void fetchOf(int[] circles, int count) {
-        ids = GrownBuffer.of(
-                session,
-                "events: circles",
-                ids,
-                (long) Integer.BYTES * count,
-                (long) Integer.BYTES * (count + (count >> 1)));
-        ids.write(0, IntBuffer.wrap(circles, 0, count));
-        deciding.setStep(stepsMade - 1, true, 0);
+        take(circles, count);
         int found = listed(count);
         if (found > deciding.room()) {
             deciding.ensureRoom(found);
@@ -146,18 +143,20 @@ final class PairTransfer implements ContactEvents.Remote, AutoCloseable {
     }
 
     private int listed(int count) {
-        stages.events().ofCircles(ids, count, false);
+        stages.events().ofCircles(ids.get(), count, false);
         status.read(arrays);
         return status.get(StatusWord.PAIRS_MARKED);
     }
 
     @Override
     public void forgetOf(int[] circles, int count) {
-        ids = GrownBuffer.of(
-                session, "events: circles", ids, (long) Integer.BYTES * count, (long) Integer.BYTES * count);
-        ids.write(0, IntBuffer.wrap(circles, 0, count));
+        take(circles, count);
+        stages.events().ofCircles(ids.get(), count, true);
+    }
+
+    private void take(int[] circles, int count) {
+        ids.ensureRoomy((long) Integer.BYTES * count).write(0, IntBuffer.wrap(circles, 0, count));
         deciding.setStep(stepsMade - 1, true, 0);
-        stages.events().ofCircles(ids, count, true);
     }
 
     /** Hands over the pairs of the first rows of words that touched in the last step. */
@@ -199,6 +198,6 @@ final class PairTransfer implements ContactEvents.Remote, AutoCloseable {
 
     @Override
     public void close() {
-        GrownBuffer.close(ids);
+        ids.close();
     }
 }

@@ -13,7 +13,6 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.Sleep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
-import java.util.function.IntPredicate;
 
 /** Reads the state back in the order of ids; {@code kernels/world/stages/Readback.cl}. */
 final class Readback {
@@ -26,7 +25,6 @@ final class Readback {
     /** Ints of how a circle comes to rest: rest, bits of the drift x, y, turned. */
     static final int SLEEP_INTS = 4;
 
-    private final Session session;
     private final DeviceArrays arrays;
     private final Kernel circles;
     private final Kernel velocities;
@@ -38,41 +36,51 @@ final class Readback {
     /** Null unless circles sleep. */
     private Kernel asleep;
 
-    private DeviceBuffer byId;
-    private HostBuffer host;
+    private final GrownBuffer byId;
+    private final GrownBuffer.OnHost host;
 
     /** What callers look into; no other read may touch it. */
-    private HostBuffer shared;
+    private final GrownBuffer.OnHost shared;
 
     private FloatBuffer sharedView;
     private final IdMask living = new IdMask();
 
     Readback(Session session, StageKernels kernels, DeviceArrays arrays) {
-        this.session = session;
         this.arrays = arrays;
         circles = kernels.plain("readback_circles");
         velocities = kernels.plain("readback_velocities");
         positions = kernels.plain("readback_positions");
-        byId = session.allocate("read-back", 1024);
-        host = session.hostBuffer(1024);
-        shared = session.hostBuffer(1024);
-        sharedView = shared.floats().asReadOnlyBuffer();
+        byId = new GrownBuffer(session, "read-back");
+        host = new GrownBuffer.OnHost(session);
+        shared = new GrownBuffer.OnHost(session);
     }
 
     void circles(HandleTable handles, int slots, float[] to) {
-        ensureHost(CIRCLE_BYTES * handles.end());
-        layOut(circles, DeviceArray.HOME_CIRCLE, slots);
-        byId.read(0, host, 0, CIRCLE_BYTES * handles.end());
-        FloatBuffer read = host.floats();
-        compact(handles::lives, handles.end(), 4, (at, written, length) -> read.get(at, to, written, length));
+        readRows(circles, DeviceArray.HOME_CIRCLE, CIRCLE_BYTES, handles, slots, to);
     }
 
     void velocities(HandleTable handles, int slots, float[] to) {
-        ensureHost(POINT_BYTES * handles.end());
-        layOut(velocities, DeviceArray.HOME_MOTION, slots);
-        byId.read(0, host, 0, POINT_BYTES * handles.end());
-        FloatBuffer read = host.floats();
-        compact(handles::lives, handles.end(), 2, (at, written, length) -> read.get(at, to, written, length));
+        readRows(velocities, DeviceArray.HOME_MOTION, POINT_BYTES, handles, slots, to);
+    }
+
+    /** Closes the gaps that removed ids have left; while nothing was removed, that is one copy. */
+    private void readRows(Kernel kernel, DeviceArray state, long rowBytes, HandleTable handles, int slots, float[] to) {
+        FloatBuffer read = read(kernel, state, rowBytes * handles.end(), slots).floats();
+        int floats = (int) rowBytes / Float.BYTES;
+        int written = 0;
+        for (int id = 0; id < handles.end(); ) {
+            if (!handles.lives(id)) {
+                id++;
+                continue;
+            }
+            int first = id;
+            while (id < handles.end() && handles.lives(id)) {
+                id++;
+            }
+            int length = (id - first) * floats;
+            read.get(first * floats, to, written, length);
+            written += length;
+        }
     }
 
     /** Reads back how circles turn, too, by kernels for circles that can rotate. */
@@ -82,8 +90,7 @@ final class Readback {
 
     /** Angles, of circles that turn. */
     void angles(HandleTable handles, int slots, int[] to) {
-        layOutTurns(handles, slots, false);
-        IntBuffer read = host.ints();
+        IntBuffer read = readTurns(handles, slots, false).ints();
         int k = 0;
         for (int id = 0; id < handles.end(); id++) {
             if (handles.lives(id)) {
@@ -93,8 +100,7 @@ final class Readback {
     }
 
     void angularVelocities(HandleTable handles, int slots, float[] to) {
-        layOutTurns(handles, slots, true);
-        FloatBuffer read = host.floats();
+        FloatBuffer read = readTurns(handles, slots, true).floats();
         int k = 0;
         for (int id = 0; id < handles.end(); id++) {
             if (handles.lives(id)) {
@@ -103,12 +109,9 @@ final class Readback {
         }
     }
 
-    private void layOutTurns(HandleTable handles, int slots, boolean areVelocities) {
-        long bytes = (long) Integer.BYTES * handles.end();
-        ensureHost(bytes);
+    private HostBuffer readTurns(HandleTable handles, int slots, boolean areVelocities) {
         turns.arg(4, areVelocities ? 1 : 0);
-        layOut(turns, DeviceArray.HOME_TURN, slots);
-        byId.read(0, host, 0, bytes);
+        return read(turns, DeviceArray.HOME_TURN, (long) Integer.BYTES * handles.end(), slots);
     }
 
     /** Reads back who sleeps, too, by kernels for that. */
@@ -117,102 +120,65 @@ final class Readback {
     }
 
     boolean isAsleep(int id) {
-        ensureHost(Integer.BYTES);
-        arrays.get(DeviceArray.SLOT_OF).read((long) Integer.BYTES * id, host, 0, Integer.BYTES);
-        long slot = host.ints().get(0);
-        arrays.get(DeviceArray.HOME_SLEEP).read(SLEEP_INTS * Integer.BYTES * slot, host, 0, Integer.BYTES);
-        return Sleep.isAsleep(host.ints().get(0));
+        HostBuffer one = host.ensure(Integer.BYTES);
+        arrays.get(DeviceArray.SLOT_OF).read((long) Integer.BYTES * id, one, 0, Integer.BYTES);
+        long slot = one.ints().get(0);
+        arrays.get(DeviceArray.HOME_SLEEP).read(SLEEP_INTS * Integer.BYTES * slot, one, 0, Integer.BYTES);
+        return Sleep.isAsleep(one.ints().get(0));
     }
 
     /** Sets the bits of the ids of circles that sleep. */
     void asleep(long[] to) {
         int ids = Math.min(Long.SIZE * to.length, arrays.idCapacity());
         int words = (ids + Integer.SIZE - 1) / Integer.SIZE;
-        ensureHost((long) Integer.BYTES * words);
+        DeviceBuffer bits = byId.ensureRoomy((long) Integer.BYTES * words);
         asleep.arg(0, arrays.get(DeviceArray.SLOT_OF))
                 .arg(1, arrays.get(DeviceArray.HOME_SLEEP))
                 .arg(2, ids)
-                .arg(3, byId)
+                .arg(3, bits)
                 .run(words);
-        byId.read(0, host, 0, (long) Integer.BYTES * words);
-        IntBuffer read = host.ints();
+        IntBuffer read = readTo(host, (long) Integer.BYTES * words).ints();
         for (int word = 0; word < words; word++) {
             to[word / 2] |= Integer.toUnsignedLong(read.get(word)) << Integer.SIZE * (word % 2);
         }
     }
 
     FloatBuffer positions(HandleTable handles, boolean lieById, int slots) {
-        ensureShared(POINT_BYTES * handles.end());
-        layOut(positions, DeviceArray.HOME_CIRCLE, slots);
-        byId.read(0, shared, 0, POINT_BYTES * handles.end());
+        long bytes = POINT_BYTES * handles.end();
+        layOut(positions, DeviceArray.HOME_CIRCLE, bytes, slots);
+        HostBuffer before = shared.get();
+        HostBuffer read = readTo(shared, bytes);
+        if (read != before) {
+            sharedView = read.floats().asReadOnlyBuffer();
+        }
         if (handles.size() < handles.end()) {
             living.copy(handles);
             if (lieById) {
-                living.markGaps(shared.floats(), 2);
+                living.markGaps(read.floats(), 2);
             } else {
-                living.closeGaps(shared.floats(), 2);
+                living.closeGaps(read.floats(), 2);
             }
         }
         return sharedView.clear().limit(2 * (lieById ? handles.end() : handles.size()));
     }
 
-    private void layOut(Kernel kernel, DeviceArray state, int slots) {
+    private HostBuffer read(Kernel kernel, DeviceArray state, long bytes, int slots) {
+        layOut(kernel, state, bytes, slots);
+        return readTo(host, bytes);
+    }
+
+    private void layOut(Kernel kernel, DeviceArray state, long bytes, int slots) {
         kernel.arg(0, arrays.get(DeviceArray.HOME_ID))
                 .arg(1, arrays.get(state))
                 .arg(2, slots)
-                .arg(3, byId)
+                .arg(3, byId.ensureRoomy(bytes))
                 .run(slots);
     }
 
-    /** Closes the gaps that removed ids have left; while nothing was removed, that is one copy. */
-    private static void compact(IntPredicate lives, int end, int floats, Copy copy) {
-        int written = 0;
-        for (int id = 0; id < end; ) {
-            if (!lives.test(id)) {
-                id++;
-                continue;
-            }
-            int first = id;
-            while (id < end && lives.test(id)) {
-                id++;
-            }
-            int length = (id - first) * floats;
-            copy.copy(first * floats, written, length);
-            written += length;
-        }
-    }
-
-    /** Copies floats of living ids that follow each other. */
-    private interface Copy {
-        void copy(int from, int to, int length);
-    }
-
-    private void ensureHost(long bytes) {
-        ensureDevice(bytes);
-        if (host.size() < bytes) {
-            HostBuffer larger = session.hostBuffer(roomier(bytes));
-            host.close();
-            host = larger;
-        }
-    }
-
-    private void ensureShared(long bytes) {
-        ensureDevice(bytes);
-        if (shared.size() < bytes) {
-            HostBuffer larger = session.hostBuffer(roomier(bytes));
-            sharedView = larger.floats().asReadOnlyBuffer();
-            shared.close();
-            shared = larger;
-        }
-    }
-
-    private void ensureDevice(long bytes) {
-        byId = GrownBuffer.of(session, "read-back", byId, bytes, bytes + (bytes >> 1));
-    }
-
-    /** Room for so many bytes on the host, and for some growth. */
-    static long roomier(long bytes) {
-        return Math.min(bytes + (bytes >> 1), Integer.MAX_VALUE - 4096);
+    private HostBuffer readTo(GrownBuffer.OnHost memory, long bytes) {
+        HostBuffer to = memory.ensure(bytes);
+        byId.get().read(0, to, 0, bytes);
+        return to;
     }
 
     /** Reads ints of a buffer; for what is needed seldom. */

@@ -2,10 +2,10 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.CopyQueue;
 import io.github.circles2d.opencl.DeviceBuffer;
-import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.EventArrays;
+import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.SensingArrays;
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
@@ -58,7 +58,7 @@ final class ReportReader implements AutoCloseable {
     /** Events of the batch read last: about as many are read at once of the next. */
     private int lastCount;
 
-    private HostBuffer read;
+    private final GrownBuffer.OnHost read;
 
     /** Events of the batch, as it is, that {@link #read} has or is about to have; 0 if it has none. */
     private int readAhead;
@@ -66,7 +66,7 @@ final class ReportReader implements AutoCloseable {
     /** Null until events are requested, as what they arrive in. */
     private CopyQueue copies;
 
-    private HostBuffer arriving;
+    private final GrownBuffer.OnHost arriving;
 
     /** The half of the batch that is being copied, or NONE; the steps made behind it; how many events are copied. */
     private int requestedHalf = NONE;
@@ -76,6 +76,8 @@ final class ReportReader implements AutoCloseable {
 
     ReportReader(Session session, ContactEvents events, DeviceArrays arrays, int stepsMade) {
         this.session = session;
+        read = new GrownBuffer.OnHost(session);
+        arriving = new GrownBuffer.OnHost(session);
         this.arrays = arrays;
         this.events = events;
         published = stepsMade;
@@ -200,8 +202,7 @@ final class ReportReader implements AutoCloseable {
     void readAhead() {
         if (isActive() && batchBegun && requestedHalf == NONE) {
             readAhead = guess();
-            read = roomFor(read, readAhead);
-            deciding.decided(half).readLater(read, bytes(readAhead));
+            deciding.decided(half).readLater(read.ensure(bytes(readAhead)), bytes(readAhead));
         }
     }
 
@@ -281,16 +282,13 @@ final class ReportReader implements AutoCloseable {
         readAhead = 0;
         if (guess == 0) {
             guess = guess();
-            read = roomFor(read, guess);
-            decided.read(0, read, 0, bytes(guess));
+            decided.read(0, read.ensure(bytes(guess)), 0, bytes(guess));
         }
-        int count = read.ints().get(EventArrays.HEADER_EVENTS);
+        int count = read.get().ints().get(EventArrays.HEADER_EVENTS);
         if (count > guess) {
-            HostBuffer few = read;
-            read = roomFor(few, count);
-            decided.read(0, read, 0, bytes(count));
+            decided.read(0, read.ensure(bytes(count)), 0, bytes(count));
         }
-        publish(read.ints(), steps);
+        publish(read.get().ints(), steps);
     }
 
     private int guess() {
@@ -299,16 +297,6 @@ final class ReportReader implements AutoCloseable {
 
     private static long bytes(int rows) {
         return (1L + rows) * ROW_BYTES;
-    }
-
-    private HostBuffer roomFor(HostBuffer held, int rows) {
-        if (held != null && held.size() >= bytes(rows)) {
-            return held;
-        }
-        if (held != null) {
-            held.close();
-        }
-        return session.hostBuffer(Readback.roomier(bytes(rows)));
     }
 
     /** Publishes the events of a batch up to a step. words: the header, as long as an event, and events. */
@@ -336,8 +324,7 @@ final class ReportReader implements AutoCloseable {
             copies = session.copyQueue();
         }
         requestedRows = guess();
-        arriving = roomFor(arriving, requestedRows);
-        copies.read(deciding.decided(half), arriving, bytes(requestedRows));
+        copies.read(deciding.decided(half), arriving.ensure(bytes(requestedRows)), bytes(requestedRows));
         requestedHalf = half;
         requestedSteps = steps;
         half = 1 - half;
@@ -352,7 +339,7 @@ final class ReportReader implements AutoCloseable {
     /** Publishes the events of the batch that was requested. Returns false if they are not there: some step has not been made. */
     boolean finishRequest() {
         copies.finish();
-        IntBuffer words = arriving.ints();
+        IntBuffer words = arriving.get().ints();
         int last = EventArrays.FIRST_STEP + requestedSteps - 1;
         if (words.get(EventArrays.HEADER_STEP) != last || words.get(EventArrays.HEADER_EVENTS) > requestedRows) {
             return false;
@@ -367,11 +354,8 @@ final class ReportReader implements AutoCloseable {
         if (requestedHalf != NONE) {
             copies.finish();
         }
-        for (HostBuffer each : new HostBuffer[] {read, arriving}) {
-            if (each != null) {
-                each.close();
-            }
-        }
+        read.close();
+        arriving.close();
         touches.close();
         deciding.close();
         sensing.close();

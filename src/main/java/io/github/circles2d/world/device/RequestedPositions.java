@@ -1,7 +1,6 @@
 package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.CopyQueue;
-import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
@@ -28,10 +27,10 @@ final class RequestedPositions {
     /** Null until the first request, as the memory below: few worlds have one. */
     private CopyQueue copies;
 
-    private DeviceBuffer byId;
+    private final GrownBuffer byId;
 
     /** Where a request arrives while callers look into what they took last. */
-    private final Target[] targets = {new Target(), new Target()};
+    private final Target[] targets;
 
     /** Where the next request arrives. */
     private int current;
@@ -52,6 +51,8 @@ final class RequestedPositions {
 
     RequestedPositions(Session session, StageKernels kernels, DeviceArrays arrays) {
         this.session = session;
+        byId = new GrownBuffer(session, "requested positions");
+        targets = new Target[] {new Target(session), new Target(session)};
         this.arrays = arrays;
         layOut = kernels.plain("readback_request");
     }
@@ -79,22 +80,22 @@ final class RequestedPositions {
         if (circles == 0) {
             return;
         }
-        HostBuffer host = targets[current].host;
+        HostBuffer host = targets[current].host();
         host.ints().put(0, ~stepsDue); // what an earlier request has left there may be the same number
         layOut.arg(0, arrays.get(DeviceArray.HOME_ID))
                 .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
                 .arg(2, slots)
                 .arg(3, arrays.get(DeviceArray.STATUS))
-                .arg(4, byId)
+                .arg(4, byId.get())
                 .run(slots);
-        copies.read(byId, host, HEADER + Readback.POINT_BYTES * living.end());
+        copies.read(byId.get(), host, HEADER + Readback.POINT_BYTES * living.end());
         copying = true;
     }
 
     /** Waits for the copy. Returns whether all steps that precede the request, if it has not been taken, had been made when it was laid out. */
     boolean arrived() {
         awaitCopy();
-        return circles == 0 || !requested || targets[current].host.ints().get(0) == stepsDue;
+        return circles == 0 || !requested || targets[current].host().ints().get(0) == stepsDue;
     }
 
     /** By id, NaN for others, or all circles if shown is null. Valid until the request after the next. */
@@ -121,27 +122,31 @@ final class RequestedPositions {
         if (copies == null) {
             copies = session.copyQueue();
         }
-        byId = GrownBuffer.of(session, "requested positions", byId, bytes, bytes + (bytes >> 1));
-        Target target = targets[current];
-        if (target.host == null || target.host.size() < bytes) {
-            target.replace(session.hostBuffer(Readback.roomier(bytes)));
-        }
+        byId.ensureRoomy(bytes);
+        targets[current].ensure(bytes);
     }
 
     /** Memory that requests arrive in, with its views. */
     private static final class Target {
-        HostBuffer host;
-        FloatBuffer positions;
-        FloatBuffer view;
+        private final GrownBuffer.OnHost memory;
+        private FloatBuffer positions;
+        private FloatBuffer view;
 
-        void replace(HostBuffer larger) {
-            FloatBuffer floats = larger.floats();
-            positions = floats.slice(HEADER / Float.BYTES, floats.capacity() - HEADER / Float.BYTES);
-            view = positions.asReadOnlyBuffer();
-            if (host != null) {
-                host.close();
+        Target(Session session) {
+            memory = new GrownBuffer.OnHost(session);
+        }
+
+        HostBuffer host() {
+            return memory.get();
+        }
+
+        void ensure(long bytes) {
+            HostBuffer before = memory.get();
+            FloatBuffer floats = memory.ensure(bytes).floats();
+            if (memory.get() != before) {
+                positions = floats.slice(HEADER / Float.BYTES, floats.capacity() - HEADER / Float.BYTES);
+                view = positions.asReadOnlyBuffer();
             }
-            host = larger;
         }
     }
 }

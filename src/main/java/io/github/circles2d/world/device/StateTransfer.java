@@ -67,20 +67,20 @@ final class StateTransfer {
             firstCached = ints(firstCached, n);
             entries = ints(entries, CachedImpulse.STRIDE * from.impulses);
             fields = ints(fields, FieldsStruct.words(from.ids));
-            if (arrays.turning()) {
+            if (arrays.features().turning()) {
                 turn = ints(turn, TURN_INTS * n);
                 own = ints(own, FieldsStruct.STRIDE * n);
                 cachedRows = floats(cachedRows, ContactRows.of(from.impulses));
                 noRows = floats(noRows, from.turns ? 0 : ContactRows.ofWalls(n));
             }
-            if (arrays.sleeping()) {
+            if (arrays.features().sleeping()) {
                 sleep = ints(sleep, Readback.SLEEP_INTS * n);
                 traits = floats(traits, FLOATS * n);
             }
-            if (arrays.ownMotion()) {
+            if (arrays.features().ownMotion()) {
                 motion = ints(motion, FieldsStruct.STRIDE * from.ids);
             }
-            if (arrays.terrain()) {
+            if (arrays.features().terrain()) {
                 pieces.ensure(from);
             }
         }
@@ -134,12 +134,12 @@ final class StateTransfer {
         firstCached = read(DeviceArray.HOME_FIRST_CACHED, firstCached, slots);
         slotOf = read(DeviceArray.SLOT_OF, slotOf, arrays.idCapacity());
         entries = read(DeviceArray.IMPULSE_CACHE, entries, CachedImpulse.STRIDE * cachedContacts);
-        sleeping = arrays.sleeping();
+        sleeping = arrays.features().sleeping();
         rests = sleeps && sleeping;
         if (rests) {
             sleep = read(DeviceArray.HOME_SLEEP, sleep, Readback.SLEEP_INTS * slots);
         }
-        turning = arrays.turning();
+        turning = arrays.features().turning();
         if (turning) {
             turn = read(DeviceArray.HOME_TURN, turn, TURN_INTS * slots);
             wallRows = read(DeviceArray.HOME_WALL_ROWS, wallRows, ContactRows.ofWalls(slots));
@@ -356,7 +356,7 @@ final class StateTransfer {
         }
         arrays.get(DeviceArray.HOME_CIRCLE).write(FloatBuffer.wrap(from.circle, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_MOTION).write(FloatBuffer.wrap(from.motion, 0, FLOATS * n));
-        float[] traits = arrays.sleeping() && from.sleeps ? traitsToSteps(from, links) : from.traits;
+        float[] traits = arrays.features().sleeping() && from.sleeps ? traitsToSteps(from, links) : from.traits;
         arrays.get(DeviceArray.HOME_TRAITS).write(FloatBuffer.wrap(traits, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_ID).write(0, IntBuffer.wrap(from.id, 0, n));
         arrays.get(DeviceArray.HOME_FIRST_CACHED).write(0, IntBuffer.wrap(firstCached, 0, n));
@@ -365,18 +365,18 @@ final class StateTransfer {
                 .write(0, IntBuffer.wrap(entries, 0, CachedImpulse.STRIDE * from.impulses));
         FieldsStruct.pack(from.fields, from.ids, links.fields);
         arrays.get(DeviceArray.FIELDS).write(0, IntBuffer.wrap(links.fields, 0, FieldsStruct.words(from.ids)));
-        if (arrays.turning()) {
+        if (arrays.features().turning()) {
             loadTurning(from, arrays, links);
         }
-        if (arrays.sleeping()) {
+        if (arrays.features().sleeping()) {
             loadSleep(from, arrays, links);
         }
-        if (arrays.ownMotion()) {
+        if (arrays.features().ownMotion()) {
             FieldsStruct.packMotion(from.fields, from.ids, links.motion);
             arrays.get(DeviceArray.OWN_MOTION)
                     .write(0, IntBuffer.wrap(links.motion, 0, FieldsStruct.STRIDE * from.ids));
         }
-        if (arrays.terrain()) {
+        if (arrays.features().terrain()) {
             links.pieces.load(from, arrays);
         }
     }

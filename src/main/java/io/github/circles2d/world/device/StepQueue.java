@@ -7,7 +7,6 @@ import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
-import io.github.circles2d.world.device.plan.TileUse;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.util.List;
@@ -18,6 +17,17 @@ import java.util.List;
  * behind it. {@link #settle} then enlarges the arrays, or enqueues the missing steps with what the case needs.
  */
 final class StepQueue {
+    /** How many circles, slots and cached impulses the device has at home: in the arrays that stay between steps. */
+    static final class Home {
+        /** Slots; circles that have gone may have left some of them empty. */
+        int slots;
+
+        int circles;
+
+        /** Contacts of the last step, which cached impulses are numbered by. */
+        int cachedContacts;
+    }
+
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
     private static final int MOST_PENDING = 64;
 
@@ -208,9 +218,9 @@ final class StepQueue {
                 reportsBehind,
                 reports && reader.isRecording(),
                 reports && reader.isSensing(),
-                arrays.turning(),
+                arrays.features().turning(),
                 stages.haveJoints(),
-                arrays.bodies(),
+                arrays.features().bodies(),
                 sleeping,
                 sleeping && waking > 0);
     }
@@ -224,7 +234,7 @@ final class StepQueue {
             status.read(arrays);
             takeMade(status.get(StatusWord.STEPS_DONE) - seen);
             for (Plan each : plans) {
-                each.learn(TileUse.of(status), thinning > 0);
+                each.learn(Plan.TileUse.of(status), thinning > 0);
             }
             if (pending == 0) {
                 home.cachedContacts = cachedContacts();
@@ -299,7 +309,7 @@ final class StepQueue {
         if (status.has(StatusWord.OUT_OF_ROOM) && !arrays.ensureCopies(status.get(StatusWord.TILE_COPIES))) {
             // Steps without tiles need no copies.
             for (Plan each : plans) {
-                each.learn(TileUse.NONE_DO, thinning > 0);
+                each.learn(Plan.TileUse.NONE_DO, thinning > 0);
             }
         }
         status.clear(

@@ -19,7 +19,6 @@ import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
-import io.github.circles2d.world.device.plan.TileUse;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
@@ -217,7 +216,7 @@ final class OclgrindWorlds {
     /** Tiles are listed, as behind one that held too much. */
     private Set<String> listedTiles() {
         List<Plan> plans = Plans.TILES.of(device);
-        plans.forEach(plan -> plan.learn(new TileUse(101, 0, false), false));
+        plans.forEach(plan -> plan.learn(new Plan.TileUse(101, 0, false), false));
         return steps(pipeline(plans, 0), Scenes.thesis(40, 1), 1 / 60f, 1, small ? 1 : 2);
     }
 

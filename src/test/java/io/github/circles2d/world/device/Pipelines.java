@@ -3,9 +3,9 @@ package io.github.circles2d.world.device;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.plan.PersistentGpu;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
-import io.github.circles2d.world.device.plan.ResidentGroups;
 import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
@@ -71,7 +71,7 @@ final class Pipelines {
         if (Tiles.fit(device)) {
             pipelines.add(of(device, plans(device, Plans.TILES), false, features));
         }
-        if (ResidentGroups.fit(device)) {
+        if (PersistentGpu.groupsWait(device)) {
             pipelines.add(of(device, plans(device, Plans.PERSISTENT_GPU), false, features));
         }
         return pipelines.toArray(Pipeline[]::new);

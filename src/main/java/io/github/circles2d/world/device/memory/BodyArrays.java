@@ -1,100 +1,50 @@
 package io.github.circles2d.world.device.memory;
 
-import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Session;
 
 /** Memory by which circles near to bodies that are pushed travel between a device and the host. */
-public final class BodyArrays implements AutoCloseable {
-    private final Session session;
-    private DeviceBuffer found;
-    private DeviceBuffer held;
+public final class BodyArrays {
+    public final GrownBuffer found;
 
-    /** Null as long as there has been no step in which somebody slept. */
-    private DeviceBuffer sleepers;
+    /** Ids of circles that joints hold to bodies, or that the host names. */
+    public final GrownBuffer held;
 
-    private DeviceBuffer slots;
-    private DeviceBuffer rows;
-    private HostBuffer host;
+    public final GrownBuffer sleepers;
+    public final GrownBuffer slots;
+    public final GrownBuffer rows;
+
+    private final GrownBuffer.OnHost host;
 
     public BodyArrays(Session session) {
-        this.session = session;
-        ensureFound(0);
-        ensureHeld(0);
-        ensureRows(0, 0);
-        ensureHost(0);
-    }
-
-    /** Makes room for so many bytes; what has been found is lost. */
-    public void ensureFound(long bytes) {
-        found = GrownBuffer.of(session, "circles near to bodies", found, bytes, roomier(bytes));
-        ensureHost(bytes);
-    }
-
-    /** Makes room for so many bytes of ids; what there was is lost. */
-    public void ensureHeld(long bytes) {
-        held = GrownBuffer.of(session, "circles that joints hold to bodies", held, bytes, roomier(bytes));
-        ensureHost(bytes);
-    }
-
-    /** Makes room for so many bytes of circles that sleep at bodies; what there was is lost. */
-    public void ensureSleepers(long bytes) {
-        sleepers = GrownBuffer.of(session, "circles that sleep at bodies", sleepers, bytes, roomier(bytes));
-        ensureHost(bytes);
-    }
-
-    /** Makes room for so many bytes of slots, and of rows; what they had is lost. */
-    public void ensureRows(long slotBytes, long rowBytes) {
-        slots = GrownBuffer.of(session, "slots of circles at bodies", slots, slotBytes, roomier(slotBytes));
-        rows = GrownBuffer.of(session, "circles at bodies", rows, rowBytes, roomier(rowBytes));
-        ensureHost(Math.max(slotBytes, rowBytes));
-    }
-
-    private void ensureHost(long bytes) {
-        if (host == null || host.size() < bytes) {
-            HostBuffer larger = session.hostBuffer(roomier(bytes));
-            if (host != null) {
-                host.close();
-            }
-            host = larger;
+        found = new GrownBuffer(session, "circles near to bodies");
+        held = new GrownBuffer(session, "circles that joints hold to bodies");
+        sleepers = new GrownBuffer(session, "circles that sleep at bodies");
+        slots = new GrownBuffer(session, "slots of circles at bodies");
+        rows = new GrownBuffer(session, "circles at bodies");
+        host = new GrownBuffer.OnHost(session);
+        for (GrownBuffer buffer : new GrownBuffer[] {found, held, sleepers, slots, rows}) {
+            ensure(buffer, 0);
         }
     }
 
-    private static long roomier(long bytes) {
-        return Math.max(4096, bytes + (bytes >> 1));
-    }
-
-    public DeviceBuffer found() {
-        return found;
-    }
-
-    public DeviceBuffer held() {
-        return held;
-    }
-
-    public DeviceBuffer sleepers() {
-        if (sleepers == null) {
-            ensureSleepers(0);
-        }
-        return sleepers;
-    }
-
-    public DeviceBuffer slots() {
-        return slots;
-    }
-
-    public DeviceBuffer rows() {
-        return rows;
+    /** Makes room for so many bytes in one of these, and on the host; what there was is lost. */
+    public void ensure(GrownBuffer buffer, long bytes) {
+        host.ensure(buffer.ensureRoomy(bytes).bytes());
     }
 
     /** As large as the largest of the others needs it. */
     public HostBuffer host() {
-        return host;
+        return host.get();
     }
 
-    @Override
-    public void close() {
-        GrownBuffer.close(found, held, sleepers, slots, rows);
-        host.close();
+    /** Writes what the first bytes of the host are. */
+    public void send(GrownBuffer buffer, long bytes) {
+        buffer.get().write(0, host(), 0, bytes);
+    }
+
+    /** Reads as many bytes to the host. */
+    public void receive(GrownBuffer buffer, long bytes) {
+        buffer.get().read(0, host(), 0, bytes);
     }
 }

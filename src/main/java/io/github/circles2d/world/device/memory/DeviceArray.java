@@ -7,6 +7,8 @@ import io.github.circles2d.world.model.KindSleep;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
+import java.util.Arrays;
+import java.util.List;
 import java.util.function.Predicate;
 
 /**
@@ -204,7 +206,11 @@ public enum DeviceArray {
             "fields: own gravity scale, damping, greatest speed, NaN for those of the kind"),
 
     // From here on: of worlds with joints.
-    JOINTS(JointHead.NAME, "joints", Index.TABLE, "where tables lie, from here on, and how many joints there are");
+    JOINTS(
+            JointUpload.Head.NAME,
+            "joints",
+            Index.TABLE,
+            "where tables lie, from here on, and how many joints there are");
 
     /** What an array is indexed by, which decides its size, and the block that it is in. */
     enum Index {
@@ -255,6 +261,11 @@ public enum DeviceArray {
             return this == TILED_SLOT || this == TILED_CONTACT || this == TILED_COPY;
         }
 
+        /** Whether some of the arrays are there for a feature. */
+        boolean isOf(Features feature) {
+            return Arrays.stream(values).anyMatch(array -> array.index == this && array.feature() == feature);
+        }
+
         /** Bytes of an element of each array of the block, in a world with these features. */
         long elementBytes(Features features) {
             long sum = 0;
@@ -264,6 +275,10 @@ public enum DeviceArray {
             return sum;
         }
     }
+
+    /** Features that arrays are there for, in the order in which the struct World has these. */
+    static final List<Features> FEATURES =
+            List.of(Features.TURNING, Features.TERRAIN, Features.SLEEPING, Features.OWN_MOTION, Features.JOINTS);
 
     /** Floats before {@link #SURFACES} in the buffer of {@link #KIND_MOTION}: each buffer among the arguments costs time. */
     static final int SURFACES_AT = KindMotion.of(PairTable.KINDS);
@@ -278,7 +293,7 @@ public enum DeviceArray {
     static final int JOINTS_AT = KIND_SLEEP_AT + KindSleep.of(PairTable.KINDS) + 3 & ~3;
 
     /** Floats before {@link #TERRAIN} in the same buffer: a multiple of 4. */
-    static final int TERRAIN_AT = JOINTS_AT + JointHead.STRUCT.words() + 3 & ~3;
+    static final int TERRAIN_AT = JOINTS_AT + JointUpload.Head.STRUCT.words() + 3 & ~3;
 
     private static final DeviceArray[] values = values();
 
@@ -307,38 +322,32 @@ public enum DeviceArray {
         return index.kept;
     }
 
-    /** Whether it is there only if circles can rotate. */
-    boolean turns() {
-        return ordinal() >= HOME_TURN.ordinal() && ordinal() < HOME_PIECES.ordinal();
-    }
-
-    /** Whether only worlds with terrain have it. */
-    boolean isOfTerrain() {
-        return ordinal() >= HOME_PIECES.ordinal() && ordinal() < HOME_SLEEP.ordinal();
-    }
-
-    /** Whether only worlds have it whose circles sleep. */
-    boolean isOfSleep() {
-        return ordinal() >= HOME_SLEEP.ordinal() && ordinal() < OWN_MOTION.ordinal();
-    }
-
-    /** Whether only worlds have it in which circles move in another way than those of their kind. */
-    boolean isOfOwnMotion() {
-        return this == OWN_MOTION;
-    }
-
-    /** Whether only worlds with joints have it. */
-    boolean isOfJoints() {
-        return ordinal() >= JOINTS.ordinal();
+    /** The feature that only worlds have which have this array, or {@link Features#NONE}. */
+    Features feature() {
+        if (ordinal() < HOME_TURN.ordinal()) {
+            return Features.NONE;
+        }
+        if (ordinal() < HOME_PIECES.ordinal()) {
+            return Features.TURNING;
+        }
+        if (ordinal() < HOME_SLEEP.ordinal()) {
+            return Features.TERRAIN;
+        }
+        return this == OWN_MOTION ? Features.OWN_MOTION : this == JOINTS ? Features.JOINTS : Features.SLEEPING;
     }
 
     /** Whether it has memory in a world with these features. */
     boolean isHeld(Features features) {
-        return (features.turning() || !turns())
-                && (features.terrain() || !isOfTerrain())
-                && (features.sleeping() || !isOfSleep())
-                && (features.ownMotion() || !isOfOwnMotion())
-                && (features.joints() || !isOfJoints());
+        return features.have(feature());
+    }
+
+    /** The bits of an element of a new circle, or contact, in a world that gets a feature. */
+    int[] initial() {
+        return switch (this) {
+            case HOME_OWN -> FieldsStruct.initialTurning();
+            case OWN_MOTION -> FieldsStruct.initialMotion();
+            default -> new int[elementBytes() / Integer.BYTES];
+        };
     }
 
     /** The declaration as a parameter, or as a member of the struct World. */
@@ -348,16 +357,16 @@ public enum DeviceArray {
 
     /** Bytes of an element of each array that lies in the block before this one, in a world with these features. */
     long bytesBefore(Features features) {
-        return bytesBefore(array -> array.isHeld(features));
+        return bytesBefore(features::have);
     }
 
-    private long bytesBefore(Predicate<DeviceArray> counts) {
+    private long bytesBefore(Predicate<Features> counts) {
         long sum = 0;
         for (DeviceArray array : values) {
             if (array == this) {
                 break;
             }
-            sum += array.index == index && counts.test(array) ? array.elementBytes() : 0;
+            sum += array.index == index && counts.test(array.feature()) ? array.elementBytes() : 0;
         }
         return sum;
     }
@@ -370,12 +379,9 @@ public enum DeviceArray {
         if (index.block == null) {
             return kernelName;
         }
-        long before = bytesBefore(array -> array.isHeld(Features.NONE)
-                || turns() && array.turns()
-                || isOfTerrain() && array.isOfTerrain()
-                || isOfSleep() && array.isOfSleep());
-        long ofTurning = turns() ? 0 : bytesBefore(DeviceArray::turns);
-        long ofTerrain = isOfTerrain() ? 0 : bytesBefore(DeviceArray::isOfTerrain);
+        long before = bytesBefore(of -> of == Features.NONE || of == feature());
+        long ofTurning = bytesBefore(of -> of == Features.TURNING && of != feature());
+        long ofTerrain = bytesBefore(of -> of == Features.TERRAIN && of != feature());
         String bytes = before
                 + (ofTurning == 0 ? "" : " IF_TURNING(+ " + ofTurning + ")")
                 + (ofTerrain == 0 ? "" : " IF_TERRAIN(+ " + ofTerrain + ")");
@@ -414,7 +420,7 @@ public enum DeviceArray {
             case "int4", "float4", "ulong2", "long2" -> 16;
             case "long4", "float8" -> 32;
             case FieldsStruct.NAME -> FieldsStruct.BYTES;
-            case JointHead.NAME -> Integer.BYTES * JointHead.STRUCT.words();
+            case JointUpload.Head.NAME -> Integer.BYTES * JointUpload.Head.STRUCT.words();
             default -> throw new IllegalStateException(type + " has no size here");
         };
     }

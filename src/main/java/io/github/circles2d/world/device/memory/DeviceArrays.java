@@ -5,11 +5,8 @@ import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
-import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
-import io.github.circles2d.world.model.KindSleep;
-import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -51,8 +48,8 @@ public final class DeviceArrays {
     /** Those that there are arrays for; edges need none. */
     private Features features = Features.NONE;
 
-    private final TerrainRoom terrainRoom = new TerrainRoom();
-    private final JointRoom jointRoom = new JointRoom();
+    private final TableRoom terrainRoom = TerrainArray.room();
+    private final TableRoom jointRoom = JointArray.room();
 
     /** Counts how often arrays were replaced, so that kernels know when to bind again. */
     private int version;
@@ -190,65 +187,74 @@ public final class DeviceArrays {
         return true;
     }
 
-    public boolean turning() {
-        return features.turning();
-    }
-
     /** What there are arrays for. */
     public Features features() {
         return features;
     }
 
-    /** Has arrays of further features, or of these alone again. Returns what there was before. */
-    private Features set(Features next) {
-        Features before = features;
-        features = next;
-        return before;
+    /**
+     * Makes room for what features need, and fills it: no circle has turned, sleeps or is near to a piece, none has a surface of its own or moves
+     * in another way than those of its kind, and there are no joints. Bodies that are pushed have their memory elsewhere, and edges need none.
+     */
+    public void ensure(Features wanted) {
+        for (Features feature : DeviceArray.FEATURES) {
+            if (wanted.have(feature) && !features.have(feature)) {
+                add(feature);
+            }
+        }
+        features = features.and(Features.BODIES.when(wanted.bodies()));
     }
 
-    /** Makes room for what circles turn by. No circle has turned, and none has a surface of its own. */
-    public void ensureTurning() {
-        if (!features.turning()) {
-            Features before = set(features.and(Features.TURNING));
-            try {
-                grow(slotCapacity, index -> switch (index) {
-                    case HOME_SLOT, SLOT, TILED_SLOT -> slotCapacity;
-                    default -> AS_IT_IS;
-                });
-                grow(contactCapacity, index -> switch (index) {
-                    case CONTACT, TILED_CONTACT, OLD_CONTACT -> contactCapacity;
-                    case TILED_COPY -> copyCapacity;
-                    default -> AS_IT_IS;
-                });
-                growTables(DeviceArray.SURFACES_AT + KindSurface.FLOATS, jointRoom);
-            } catch (RuntimeException | Error e) {
-                set(before);
-                throw e;
+    private void add(Features feature) {
+        Features before = features;
+        features = features.and(feature);
+        try {
+            for (Index index : DeviceArguments.BLOCKS) {
+                if (index.isOf(feature)) {
+                    int capacity = capacity(index);
+                    grow(capacity, grown -> grown == index ? capacity : AS_IT_IS);
+                }
             }
-            fill(DeviceArray.HOME_TURN, slotCapacity, 0, 0);
-            fill(DeviceArray.HOME_WALL_ROWS, slotCapacity, new int[2 * ContactRows.STRIDE]);
-            fill(DeviceArray.HOME_OWN, slotCapacity, FieldsStruct.initialTurning());
-            fill(DeviceArray.ROW_CACHE, contactCapacity, new int[ContactRows.STRIDE]);
+            growTables(terrainEnd(), jointRoom);
+        } catch (RuntimeException | Error e) {
+            features = before;
+            throw e;
         }
+        for (DeviceArray array : DeviceArray.values()) {
+            if (array.feature() == feature && array.kept()) {
+                fill(array, capacity(array.index()), array.initial());
+            }
+        }
+    }
+
+    /** Elements of the arrays of an index that some feature has arrays by. */
+    private int capacity(Index index) {
+        return switch (index) {
+            case HOME_SLOT, SLOT, TILED_SLOT -> slotCapacity;
+            case FIELDS_BY_ID -> idCapacity;
+            case CONTACT, TILED_CONTACT, OLD_CONTACT -> contactCapacity;
+            case TILED_COPY -> copyCapacity;
+            default -> throw new IllegalStateException("no feature has arrays " + index);
+        };
     }
 
     /**
      * Makes room for tables behind those of kinds, up to the end of terrain's if they are given so many floats, and for those of joints behind
      * all. What is there stays, but for tables of joints that the host has too: if these move, they have to be written again.
      */
-    private void growTables(int floats, JointRoom joints) {
+    private void growTables(int floats, TableRoom joints) {
         DeviceBuffer before = get(DeviceArray.KIND_MOTION);
-        int behind = Math.max(floats, terrainRoom.floats());
+        int behind = Math.max(floats, terrainEnd());
         int end = features.joints() ? behind + joints.words() : floats;
-        boolean moves = features.joints() && (joints != jointRoom || behind != terrainRoom.floats());
+        boolean moves = features.joints() && (joints != jointRoom || behind != terrainEnd());
         if (before.bytes() >= bytesOf(end) && !moves) {
             return;
         }
         DeviceBuffer tables = session.allocate("tables of kinds", bytesOf(end));
         try {
-            before.copyTo(tables, Math.min(before.bytes(), bytesOf(terrainRoom.floats())));
+            before.copyTo(tables, Math.min(before.bytes(), bytesOf(terrainEnd())));
             if (features.joints()) {
-                keepJoints(before, terrainRoom.floats(), tables, behind, joints);
+                keepJoints(before, terrainEnd(), tables, behind, joints);
             }
             session.finish();
         } catch (RuntimeException | Error e) {
@@ -262,16 +268,21 @@ public final class DeviceArrays {
         }
     }
 
-    private static long bytesOf(int floats) {
-        return (long) Float.BYTES * floats;
+    private static long bytesOf(int words) {
+        return (long) Integer.BYTES * words;
+    }
+
+    /** Words up to the end of the tables of terrain, behind which those of joints lie. */
+    private int terrainEnd() {
+        return DeviceArray.TERRAIN_AT + terrainRoom.words();
     }
 
     /** Takes along what joints keep, and gives those that there is new room for nothing. */
-    private void keepJoints(DeviceBuffer before, int from, DeviceBuffer tables, int to, JointRoom joints) {
+    private void keepJoints(DeviceBuffer before, int from, DeviceBuffer tables, int to, TableRoom joints) {
         for (JointArray table : JointArray.ALL) {
             if (table.kept()) {
-                int held = table.words() * jointRoom.capacity(table.count());
-                int words = table.words() * joints.capacity(table.count());
+                int held = jointRoom.words(table);
+                int words = joints.words(table);
                 if (held > 0) {
                     long at = bytesOf(from + jointRoom.at(table));
                     before.copyTo(at, tables, bytesOf(to + joints.at(table)), bytesOf(held));
@@ -288,78 +299,11 @@ public final class DeviceArrays {
         }
     }
 
-    public boolean sleeping() {
-        return features.sleeping();
-    }
-
-    /** Makes room for how circles come to rest. All are awake. */
-    public void ensureSleeping() {
-        if (!features.sleeping()) {
-            Features before = set(features.and(Features.SLEEPING));
-            try {
-                grow(slotCapacity, index -> switch (index) {
-                    case HOME_SLOT, SLOT -> slotCapacity;
-                    default -> AS_IT_IS;
-                });
-                grow(contactCapacity, index -> index == Index.CONTACT ? contactCapacity : AS_IT_IS);
-                growTables(DeviceArray.KIND_SLEEP_AT + KindSleep.of(PairTable.KINDS), jointRoom);
-            } catch (RuntimeException | Error e) {
-                set(before);
-                throw e;
-            }
-            fill(DeviceArray.HOME_SLEEP, slotCapacity, 0, 0, 0, 0);
-        }
-    }
-
-    public boolean ownMotion() {
-        return features.ownMotion();
-    }
-
-    /** Makes room for how circles move in another way than those of their kind. None does. */
-    public void ensureOwnMotion() {
-        if (!features.ownMotion()) {
-            Features before = set(features.and(Features.OWN_MOTION));
-            try {
-                grow(idCapacity, index -> index == Index.FIELDS_BY_ID ? idCapacity : AS_IT_IS);
-            } catch (RuntimeException | Error e) {
-                set(before);
-                throw e;
-            }
-            fill(DeviceArray.OWN_MOTION, idCapacity, FieldsStruct.initialMotion());
-        }
-    }
-
-    public boolean bodies() {
-        return features.bodies();
-    }
-
-    /** Bodies that are pushed have their memory elsewhere. */
-    public void ensureBodies() {
-        set(features.and(Features.BODIES));
-    }
-
-    public boolean joints() {
-        return features.joints();
-    }
-
-    /** Makes room for joints. There are none. */
-    public void ensureJoints() {
-        if (!features.joints()) {
-            Features before = set(features.and(Features.JOINTS));
-            try {
-                growTables(terrainRoom.floats(), jointRoom);
-            } catch (RuntimeException | Error e) {
-                set(before);
-                throw e;
-            }
-        }
-    }
-
     /** Makes room for the tables of joints; if it was too little, those that the host has, too, have to be written. */
     void ensureJoints(int[] needed) {
-        JointRoom wanted = jointRoom.with(needed);
+        TableRoom wanted = jointRoom.with(needed);
         if (wanted != null) {
-            growTables(terrainRoom.floats(), wanted);
+            growTables(terrainEnd(), wanted);
         }
     }
 
@@ -370,52 +314,45 @@ public final class DeviceArrays {
         ensureJoints(needed);
     }
 
-    JointRoom jointRoom() {
+    TableRoom jointRoom() {
         return jointRoom;
     }
 
-    /** Words before a table of joints in the buffer of tables. */
-    int at(JointArray table) {
-        return terrainRoom.floats() + jointRoom.at(table);
-    }
-
-    public boolean terrain() {
-        return features.terrain();
-    }
-
-    /** Makes room for what circles and pieces of terrain have. There are no pieces, and no circle is near one. */
-    public void ensureTerrain() {
-        if (!features.terrain()) {
-            Features before = set(features.and(Features.TERRAIN));
-            try {
-                grow(slotCapacity, index -> switch (index) {
-                    case HOME_SLOT, SLOT -> slotCapacity;
-                    default -> AS_IT_IS;
-                });
-                grow(contactCapacity, index -> switch (index) {
-                    case CONTACT, OLD_CONTACT -> contactCapacity;
-                    default -> AS_IT_IS;
-                });
-                growTables(terrainRoom.floats(), jointRoom);
-            } catch (RuntimeException | Error e) {
-                set(before);
-                throw e;
-            }
-            fill(DeviceArray.HOME_PIECES, slotCapacity, 0, 0);
-        }
-    }
-
     /** Makes room for the tables of terrain; if it was too little, all of them have to be written. */
-    void ensureTerrain(int pieces, int nodes, int motionFloats) {
-        TerrainRoom wanted = terrainRoom.with(pieces, nodes, motionFloats);
+    void ensureTerrain(int pieces, int nodes, int motion) {
+        TableRoom wanted = terrainRoom.with(pieces, nodes, motion);
         if (wanted != null) {
-            growTables(wanted.floats(), jointRoom);
+            growTables(DeviceArray.TERRAIN_AT + wanted.words(), jointRoom);
             terrainRoom.take(wanted);
         }
     }
 
-    TerrainRoom terrainRoom() {
+    TableRoom terrainRoom() {
         return terrainRoom;
+    }
+
+    /** Words before a table of joints in the buffer of tables. */
+    int at(JointArray table) {
+        return terrainEnd() + jointRoom.at(table);
+    }
+
+    /** Writes a part of a table of joints or terrain. */
+    void write(TableRoom.Table table, int[] values, int from, int to) {
+        if (from < to) {
+            writeTable(at(table, from, to), IntBuffer.wrap(values, from, to - from));
+        }
+    }
+
+    void write(TableRoom.Table table, float[] values, int from, int to) {
+        if (from < to) {
+            writeTable(at(table, from, to), FloatBuffer.wrap(values, from, to - from));
+        }
+    }
+
+    private int at(TableRoom.Table table, int from, int to) {
+        return table instanceof JointArray
+                ? terrainEnd() + jointRoom.at(table, from, to)
+                : DeviceArray.TERRAIN_AT + terrainRoom.at(table, from, to);
     }
 
     /** Gives all elements of an array the same value. */
@@ -431,33 +368,13 @@ public final class DeviceArrays {
         }
     }
 
-    /** Writes the rows of surfaces, {@link KindSurface#FLOATS} floats, where there is memory for them. */
-    void writeSurfaces(IntBuffer rows) {
-        writeTable(DeviceArray.SURFACES_AT, rows);
-    }
-
-    /** Words before a part of a table of joints in the buffer of tables. */
-    int at(JointArray table, int from, int to) {
-        return terrainRoom.floats() + jointRoom.at(table, from, to);
-    }
-
-    /** Refuses a part of a table that is not within it, which would be written over another one. Returns where the part begins. */
-    static int requireRange(String of, int table, int from, int to, int room) {
-        if (from < 0 || to < from || to > room) {
-            throw new IllegalStateException("words " + from + " to " + to + " of table " + table + " of " + of
-                    + ", which has room for " + room);
-        }
-        return from;
-    }
-
-    /** Writes to the buffer of tables; at: floats before them. */
+    /** Writes to the buffer of tables; at: words before them. */
     void writeTable(int at, IntBuffer words) {
-        get(DeviceArray.KIND_MOTION).write((long) Float.BYTES * at, words);
+        get(DeviceArray.KIND_MOTION).write(bytesOf(at), words);
     }
 
-    /** The same. */
     void writeTable(int at, FloatBuffer words) {
-        get(DeviceArray.KIND_MOTION).write((long) Float.BYTES * at, words);
+        get(DeviceArray.KIND_MOTION).write(bytesOf(at), words);
     }
 
     public static int cellBlocks(int buckets) {
@@ -524,6 +441,49 @@ public final class DeviceArrays {
             kernel.arg(position, buffer);
         } else {
             kernel.withoutBuffer(position);
+        }
+    }
+
+    /** A buffer with all arrays of an index, one behind the other. */
+    private static final class Block implements AutoCloseable {
+        /** Arrays begin at multiples of so many elements, so that each can be a buffer of its own, too. */
+        private static final long ALIGNMENT = 1024;
+
+        private final DeviceBuffer buffer;
+        private final long stride;
+        private final Features features;
+        private final Map<DeviceArray, DeviceBuffer> slices = new EnumMap<>(DeviceArray.class);
+
+        /** With the arrays of worlds with these features. */
+        Block(Session session, Index index, long elements, Features features) {
+            this.features = features;
+            stride = (elements + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+            buffer = session.allocate(index.block(), index.elementBytes(features) * stride);
+        }
+
+        DeviceBuffer buffer() {
+            return buffer;
+        }
+
+        /** Elements from the start of an array to that of the next. */
+        int stride() {
+            return Math.toIntExact(stride);
+        }
+
+        boolean has(DeviceArray array) {
+            return array.isHeld(features);
+        }
+
+        DeviceBuffer get(DeviceArray array) {
+            return slices.computeIfAbsent(
+                    array,
+                    a -> buffer.slice(a.kernelName(), a.bytesBefore(features) * stride, a.elementBytes() * stride));
+        }
+
+        @Override
+        public void close() {
+            slices.values().forEach(DeviceBuffer::close);
+            buffer.close();
         }
     }
 }

@@ -53,7 +53,7 @@ public final class DeviceJointStates {
     }
 
     private void requireRoom(int joints) {
-        DeviceArrays.requireRange("joints", JointArray.STATE.ordinal(), 0, joints, count());
+        TableRoom.requireRange("joints", JointArray.STATE.ordinal(), 0, joints, count());
     }
 
     private DeviceBuffer tables() {

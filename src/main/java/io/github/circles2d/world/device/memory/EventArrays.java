@@ -9,6 +9,8 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.PairTable;
 import java.nio.IntBuffer;
+import java.util.Objects;
+import java.util.stream.Stream;
 
 /** The memory in which a device decides what steps report; {@code kernels/world/stages/Events.cl}. */
 public final class EventArrays implements AutoCloseable {
@@ -48,18 +50,18 @@ public final class EventArrays implements AutoCloseable {
     private static final int REPORTED_HEAD = 4;
 
     /** Events of both halves: while the host reads one, steps write into the other. */
-    private final DeviceBuffer[] decided = new DeviceBuffer[2];
+    private final GrownBuffer[] decided;
 
     private final Session session;
     private DeviceBuffer touching;
-    private DeviceBuffer newcomers;
     private DeviceBuffer openHits;
-    private DeviceBuffer drafts;
-    private DeviceBuffer order;
-    private DeviceBuffer tally;
-    private DeviceBuffer starts;
-    private DeviceBuffer blockSums;
-    private DeviceBuffer reported;
+    private final GrownBuffer newcomers;
+    private final GrownBuffer drafts;
+    private final GrownBuffer order;
+    private final GrownBuffer tally;
+    private final GrownBuffer starts;
+    private final GrownBuffer blockSums;
+    private final GrownBuffer reported;
     private int reportedVersion = -1;
     private int reportedAxes;
     private boolean reportedByKind;
@@ -82,6 +84,14 @@ public final class EventArrays implements AutoCloseable {
     /** No memory yet. */
     public EventArrays(Session session) {
         this.session = session;
+        decided = new GrownBuffer[] {new GrownBuffer(session, "events"), new GrownBuffer(session, "events")};
+        newcomers = new GrownBuffer(session, "events: newcomers");
+        drafts = new GrownBuffer(session, "events: drafts");
+        order = new GrownBuffer(session, "events: order");
+        tally = new GrownBuffer(session, "events: by id");
+        starts = new GrownBuffer(session, "events: starts");
+        blockSums = new GrownBuffer(session, "events: blocks");
+        reported = new GrownBuffer(session, "events: reported");
     }
 
     /** What kernels have of this memory, if they are compiled for steps that report (REPORTING); see {@link TouchArrays#text}. */
@@ -134,14 +144,14 @@ public final class EventArrays implements AutoCloseable {
     /** Gives a kernel its REPORTING_PARAMETERS, from an argument on. */
     public Kernel bindAt(Kernel kernel, int first) {
         return kernel.arg(first, touching)
-                .arg(first + 1, newcomers)
+                .arg(first + 1, newcomers.get())
                 .arg(first + 2, openHits)
-                .arg(first + 3, drafts)
-                .arg(first + 4, decided[half])
-                .arg(first + 5, tally)
-                .arg(first + 6, starts)
-                .arg(first + 7, order)
-                .arg(first + 8, reported)
+                .arg(first + 3, drafts.get())
+                .arg(first + 4, decided[half].get())
+                .arg(first + 5, tally.get())
+                .arg(first + 6, starts.get())
+                .arg(first + 7, order.get())
+                .arg(first + 8, reported.get())
                 .arg(first + 9, places - 1)
                 .arg(first + 10, room)
                 .arg(first + 11, openRoom)
@@ -174,11 +184,11 @@ public final class EventArrays implements AutoCloseable {
         ensureRoom(Math.max(LEAST_ROOM, events));
         if (arrays.idCapacity() > ids) {
             int elements = Scan.padded(arrays.idCapacity() + 1);
-            tally = replace("events: by id", tally, (long) Integer.BYTES * elements);
-            tally.write(0, IntBuffer.wrap(new int[elements]));
-            starts = replace("events: starts", starts, (long) Integer.BYTES * elements);
+            tally.ensure((long) Integer.BYTES * elements);
+            tally.get().write(0, IntBuffer.wrap(new int[elements]));
+            starts.ensure((long) Integer.BYTES * elements);
             int sums = Math.max(MOST_DECIDERS, Scan.blocks(elements));
-            blockSums = replace("events: blocks", blockSums, (long) Integer.BYTES * sums);
+            blockSums.ensure((long) Integer.BYTES * sums);
             ids = arrays.idCapacity();
         }
         if (openHits == null) {
@@ -196,11 +206,11 @@ public final class EventArrays implements AutoCloseable {
             }
             long event = (long) Integer.BYTES * EventRow.STRIDE;
             for (int k = decided.length - 1; k >= 0; k--) {
-                decided[k] = replace("events", decided[k], event * (1 + c));
+                decided[k].ensure(event * (1 + c));
             }
-            newcomers = replace("events: newcomers", newcomers, (long) Integer.BYTES * PAIR * c);
-            drafts = replace("events: drafts", drafts, event * c);
-            order = replace("events: order", order, Integer.BYTES * c);
+            newcomers.ensure((long) Integer.BYTES * PAIR * c);
+            drafts.ensure(event * c);
+            order.ensure(Integer.BYTES * c);
             room = (int) c;
         }
     }
@@ -240,10 +250,6 @@ public final class EventArrays implements AutoCloseable {
         return before;
     }
 
-    private DeviceBuffer replace(String name, DeviceBuffer held, long bytes) {
-        return GrownBuffer.of(session, name, held, bytes, bytes);
-    }
-
     /** Sends what is reported, if it is not there yet. */
     public void send(ContactEvents events) {
         Bounds arena = events.arena();
@@ -263,8 +269,8 @@ public final class EventArrays implements AutoCloseable {
             }
             put(words, KINDS * KINDS + a, events.typesOfWalls(a));
         }
-        reported = replace("events: reported", reported, (long) Integer.BYTES * words.length);
-        reported.write(0, IntBuffer.wrap(words));
+        reported.ensure((long) Integer.BYTES * words.length);
+        reported.get().write(0, IntBuffer.wrap(words));
         reportedVersion = events.version();
         reportedAxes = axes;
     }
@@ -293,7 +299,7 @@ public final class EventArrays implements AutoCloseable {
     }
 
     public DeviceBuffer newcomers() {
-        return newcomers;
+        return newcomers.get();
     }
 
     public DeviceBuffer openHits() {
@@ -301,20 +307,20 @@ public final class EventArrays implements AutoCloseable {
     }
 
     public DeviceBuffer tally() {
-        return tally;
+        return tally.get();
     }
 
     public DeviceBuffer starts() {
-        return starts;
+        return starts.get();
     }
 
     public DeviceBuffer blockSums() {
-        return blockSums;
+        return blockSums.get();
     }
 
     /** The events of a half, behind their header. */
     public DeviceBuffer decided(int ofHalf) {
-        return decided[ofHalf];
+        return decided[ofHalf].get();
     }
 
     public int places() {
@@ -340,7 +346,8 @@ public final class EventArrays implements AutoCloseable {
 
     @Override
     public void close() {
-        GrownBuffer.close(touching, newcomers, openHits, drafts, order, tally, starts, blockSums, reported);
-        GrownBuffer.close(decided);
+        Stream.of(newcomers, drafts, order, tally, starts, blockSums, reported, decided[0], decided[1])
+                .forEach(GrownBuffer::close);
+        Stream.of(touching, openHits).filter(Objects::nonNull).forEach(DeviceBuffer::close);
     }
 }

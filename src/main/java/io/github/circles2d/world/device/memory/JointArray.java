@@ -5,7 +5,7 @@ import io.github.circles2d.world.model.JointSpring;
 import io.github.circles2d.world.model.JointState;
 
 /** The tables of joints on a device: those of the host's {@code JointStep}, what joints keep, and what they need within a step. */
-enum JointArray {
+enum JointArray implements TableRoom.Table {
     ROWS("rows", Count.JOINTS, JointRow.STRIDE, "by joint: three float4"),
     TRAITS("traits", Count.JOINTS, JointRow.TRAITS, "by joint: two int4"),
     STATE("state", Count.JOINTS, JointState.STRIDE, "by joint: two float4, kept from step to step"),
@@ -59,16 +59,22 @@ enum JointArray {
         this.comment = comment;
     }
 
+    /** Of no tables. */
+    static TableRoom room() {
+        return new TableRoom("joints", 0, Count.COUNT, ALL);
+    }
+
     String kernelName() {
         return kernelName;
     }
 
-    Count count() {
+    @Override
+    public Count count() {
         return count;
     }
 
-    /** Words of an element. */
-    int words() {
+    @Override
+    public int words() {
         return words;
     }
 

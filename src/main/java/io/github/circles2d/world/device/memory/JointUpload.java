@@ -7,7 +7,6 @@ import io.github.circles2d.world.model.JointSpring;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.Softness;
 import io.github.circles2d.world.model.StepInput;
-import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
@@ -29,7 +28,7 @@ public final class JointUpload {
     private int partnersVersion = NEVER;
     private boolean parts;
     private final int[] starts = new int[JointStep.BATCH_STRIDE];
-    private final JointHead head = new JointHead();
+    private final Head head = new Head();
 
     // the same of what is on the device
     private int sentRoom = NEVER;
@@ -43,8 +42,8 @@ public final class JointUpload {
     private boolean sent;
 
     private final int[] needed = new int[Count.COUNT];
-    private final int[] words = new int[JointHead.STRUCT.words()];
-    private final int[] sentWords = new int[JointHead.STRUCT.words()];
+    private final int[] words = new int[Head.STRUCT.words()];
+    private final int[] sentWords = new int[Head.STRUCT.words()];
     private final IntBuffer wordsView = IntBuffer.wrap(words);
 
     /** What comes is of another world. */
@@ -165,7 +164,7 @@ public final class JointUpload {
 
     /** Sends what is not there yet, where there is memory for it. */
     void send(DeviceArrays arrays) {
-        if (sent || !arrays.joints()) {
+        if (sent || !arrays.features().joints()) {
             return;
         }
         if (sentRoom != arrays.jointRoom().version()) {
@@ -190,7 +189,7 @@ public final class JointUpload {
         for (JointArray table : JointArray.ALL) {
             head.at[table.ordinal()] = arrays.at(table) - DeviceArray.JOINTS_AT;
         }
-        JointHead.STRUCT.pack(head, words);
+        Head.STRUCT.pack(head, words);
         if (!Arrays.equals(words, sentWords)) {
             arrays.writeTable(DeviceArray.JOINTS_AT, wordsView);
             System.arraycopy(words, 0, sentWords, 0, words.length);
@@ -202,8 +201,8 @@ public final class JointUpload {
             boolean some = sentRows != NEVER && sentRows == version - 1;
             int from = some ? tables.changedFrom : 0;
             int to = some ? tables.changedTo : tables.joints;
-            write(arrays, JointArray.ROWS, tables.rows, JointRow.of(from), JointRow.of(to));
-            write(arrays, JointArray.TRAITS, tables.traits, JointRow.traits(from), JointRow.traits(to));
+            arrays.write(JointArray.ROWS, tables.rows, JointRow.of(from), JointRow.of(to));
+            arrays.write(JointArray.TRAITS, tables.traits, JointRow.traits(from), JointRow.traits(to));
             sentRows = version;
         }
     }
@@ -211,10 +210,10 @@ public final class JointUpload {
     private void sendOrder(DeviceArrays arrays) {
         if (sentOrder != orderVersion) {
             checkOrder(arrays.idCapacity());
-            write(arrays, JointArray.ORDER, tables.order, 0, head.count);
-            write(arrays, JointArray.STARTS, tables.starts, 0, JointStep.BATCH_STRIDE * (head.batches + 1));
-            write(arrays, JointArray.SPLIT_IDS, tables.splitIds, 0, head.splitCircles);
-            write(arrays, JointArray.SPLIT_ENDS, tables.splitEnds, 0, JointArray.SPLIT_ENDS.words() * split());
+            arrays.write(JointArray.ORDER, tables.order, 0, head.count);
+            arrays.write(JointArray.STARTS, tables.starts, 0, JointStep.BATCH_STRIDE * (head.batches + 1));
+            arrays.write(JointArray.SPLIT_IDS, tables.splitIds, 0, head.splitCircles);
+            arrays.write(JointArray.SPLIT_ENDS, tables.splitEnds, 0, JointArray.SPLIT_ENDS.words() * split());
             sentOrder = orderVersion;
         }
     }
@@ -236,33 +235,65 @@ public final class JointUpload {
 
     private void sendSprings(DeviceArrays arrays) {
         if (sentSprings != springsVersion) {
-            write(arrays, JointArray.SPRINGS, tables.springs, 0, JointSpring.of(tables.springCount));
+            arrays.write(JointArray.SPRINGS, tables.springs, 0, JointSpring.of(tables.springCount));
             sentSprings = springsVersion;
         }
         if (sentAnchors != anchorsVersion) {
-            write(arrays, JointArray.ANCHORS, tables.anchors, 0, AnchorRow.of(tables.anchorCount, 0, subSteps));
+            arrays.write(JointArray.ANCHORS, tables.anchors, 0, AnchorRow.of(tables.anchorCount, 0, subSteps));
             sentAnchors = anchorsVersion;
         }
     }
 
     private void sendPartners(DeviceArrays arrays) {
         if (parts && sentPartners != partnersVersion) {
-            write(arrays, JointArray.PARTNER_STARTS, tables.partnerStart, 0, tables.partnered + 1);
-            write(arrays, JointArray.PARTNERS, tables.partners, 0, JointArray.PARTNERS.words() * partners());
+            arrays.write(JointArray.PARTNER_STARTS, tables.partnerStart, 0, tables.partnered + 1);
+            arrays.write(JointArray.PARTNERS, tables.partners, 0, JointArray.PARTNERS.words() * partners());
             sentPartners = partnersVersion;
         }
     }
 
-    /** Writes a part of a table. */
-    private static void write(DeviceArrays arrays, JointArray table, float[] values, int from, int to) {
-        if (from < to) {
-            arrays.writeTable(arrays.at(table, from, to), FloatBuffer.wrap(values, from, to - from));
-        }
-    }
+    /** What kernels know of the joints of a step: the struct at {@link DeviceArray#JOINTS}. */
+    static final class Head {
+        static final String NAME = "JointHead";
 
-    private static void write(DeviceArrays arrays, JointArray table, int[] values, int from, int to) {
-        if (from < to) {
-            arrays.writeTable(arrays.at(table, from, to), IntBuffer.wrap(values, from, to - from));
+        static final HostStruct<Head> STRUCT = struct();
+
+        /** By table: words from {@link DeviceArray#JOINTS}. */
+        final int[] at = new int[JointArray.ALL.length];
+
+        /** 1 where the step has joints. */
+        int any;
+
+        int count;
+        int splitStart;
+        int splitCircles;
+        int batches;
+        int colours;
+        int partnered;
+        float massScale;
+        float biasRate;
+        float impulseScale;
+
+        private static HostStruct<Head> struct() {
+            HostStruct<Head> struct = new HostStruct<>(NAME);
+            for (JointArray table : JointArray.ALL) {
+                int k = table.ordinal();
+                struct.field("int", table.kernelName(), (head, to) -> to.put(head.at[k]), table.comment());
+            }
+            return struct.field("int", "any", (head, to) -> to.put(head.any), "1 where the step has joints")
+                    .field("int", "count", (head, to) -> to.put(head.count), "joints in the order")
+                    .field(
+                            "int",
+                            "splitStart",
+                            (head, to) -> to.put(head.splitStart),
+                            "the first split one in the order")
+                    .field("int", "splitCircles", (head, to) -> to.put(head.splitCircles), "circles of split joints")
+                    .field("int", "batches", (head, to) -> to.put(head.batches), "batches of joints")
+                    .field("int", "colours", (head, to) -> to.put(head.colours), "colours in use")
+                    .field("int", "partnered", (head, to) -> to.put(head.partnered), "ids that partnerStarts knows")
+                    .field("float", "massScale", (head, to) -> to.put(head.massScale), "of rigid joints")
+                    .field("float", "biasRate", (head, to) -> to.put(head.biasRate), "the same")
+                    .field("float", "impulseScale", (head, to) -> to.put(head.impulseScale), "the same");
         }
     }
 }

@@ -4,6 +4,7 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
 
 /** The public numbers of a class of the host, as kernels have them: by their names in Java, which say there what they mean. */
 final class KernelConstants {
@@ -12,19 +13,19 @@ final class KernelConstants {
 
     private KernelConstants() {}
 
-    /** Defines each int and float: {@code #define PREFIX_NAME value}. */
-    static String of(Class<?> table, String prefix) {
+    /** Defines ints and floats, all or those that are named: {@code #define PREFIX_NAME value}. */
+    static String of(Class<?> table, String prefix, String... names) {
         StringBuilder text = heading(table);
-        for (Field constant : constants(table)) {
+        for (Field constant : constants(table, names)) {
             define(text, prefix, constant, literal(value(constant)));
         }
         return text.toString();
     }
 
-    /** Defines places in a row that kernels have as vectors of four: {@code #define PREFIX_NAME vectors[1].s2} for 6. */
-    static String places(Class<?> table, String prefix, String vectors) {
+    /** Defines places in a row that kernels have as vectors of four, likewise: {@code #define PREFIX_NAME vectors[1].s2} for 6. */
+    static String places(Class<?> table, String prefix, String vectors, String... names) {
         StringBuilder text = heading(table);
-        for (Field constant : constants(table)) {
+        for (Field constant : constants(table, names)) {
             if (!constant.getName().equals(LENGTH)) {
                 int place = (Integer) value(constant);
                 define(text, prefix, constant, vectors + "[" + place / 4 + "].s" + place % 4);
@@ -42,12 +43,17 @@ final class KernelConstants {
     }
 
     /** By name: reflection has no order. */
-    private static Field[] constants(Class<?> table) {
-        return Arrays.stream(table.getFields())
+    private static List<Field> constants(Class<?> table, String... names) {
+        List<Field> constants = Arrays.stream(table.getFields())
                 .filter(field -> Modifier.isStatic(field.getModifiers())
-                        && (field.getType() == int.class || field.getType() == float.class))
+                        && (field.getType() == int.class || field.getType() == float.class)
+                        && (names.length == 0 || List.of(names).contains(field.getName())))
                 .sorted(Comparator.comparing(Field::getName))
-                .toArray(Field[]::new);
+                .toList();
+        if (names.length > 0 && constants.size() != names.length) {
+            throw new IllegalStateException(table + " has not all of " + List.of(names));
+        }
+        return constants;
     }
 
     private static Object value(Field constant) {

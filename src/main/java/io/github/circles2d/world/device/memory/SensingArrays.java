@@ -15,25 +15,21 @@ public final class SensingArrays implements AutoCloseable {
     private static final int MEETS_STATIC = 8;
     private static final long START_BYTES = 8;
 
-    private final Session session;
     private final int[] table = new int[PairTable.WORDS + PairTable.KINDS];
     private int version = -1;
-    private DeviceBuffer start;
-    private DeviceBuffer seeking;
+    private final GrownBuffer start;
+    private final GrownBuffer seeking;
 
     /** No memory yet. */
     public SensingArrays(Session session) {
-        this.session = session;
+        start = new GrownBuffer(session, "sensing: start");
+        seeking = new GrownBuffer(session, "sensing: kinds");
     }
 
     /** Makes room for the ids that other arrays have room for. */
     public void ensure(DeviceArrays arrays) {
-        seeking = ensure("sensing: kinds", seeking, (long) Integer.BYTES * table.length);
-        start = ensure("sensing: start", start, START_BYTES * arrays.idCapacity());
-    }
-
-    private DeviceBuffer ensure(String name, DeviceBuffer buffer, long bytes) {
-        return GrownBuffer.of(session, name, buffer, bytes, bytes);
+        seeking.ensure((long) Integer.BYTES * table.length);
+        start.ensure(START_BYTES * arrays.idCapacity());
     }
 
     /** Sends who looks for whom, if it is not there yet. */
@@ -52,7 +48,7 @@ public final class SensingArrays implements AutoCloseable {
             part |= asks(k, kind) ? ASKS : 0;
             table[PairTable.WORDS + kind] = part;
         }
-        seeking.write(0, IntBuffer.wrap(table));
+        seeking.get().write(0, IntBuffer.wrap(table));
         version = k.seekingVersion;
     }
 
@@ -62,16 +58,17 @@ public final class SensingArrays implements AutoCloseable {
 
     /** By id: where circles were as the step began. */
     public DeviceBuffer start() {
-        return start;
+        return start.get();
     }
 
     /** By pair of kinds, and by kind: who looks for whom. */
     public DeviceBuffer seeking() {
-        return seeking;
+        return seeking.get();
     }
 
     @Override
     public void close() {
-        GrownBuffer.close(start, seeking);
+        start.close();
+        seeking.close();
     }
 }

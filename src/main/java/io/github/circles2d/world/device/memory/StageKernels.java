@@ -85,7 +85,7 @@ public final class StageKernels {
         this.workGroupSize = workGroupSize;
         this.recording = recording;
         this.partOf = partOf;
-        names = UsedArguments.names(this.source);
+        names = DeviceArguments.names(this.source);
     }
 
     /** Whether a part has been compiled. */
@@ -145,7 +145,7 @@ public final class StageKernels {
         if (workGroupSize != USUAL_GROUPS) {
             kernel.workGroupSize(Math.min(workGroupSize, kernel.maxWorkGroupSize()));
         }
-        buffers.put(name, new UsedArguments(names).of(name));
+        buffers.put(name, DeviceArguments.used(names, name));
         staged.put(name, kernel);
         if (bound != null) {
             bound.bind(kernel, buffers.get(name));

@@ -121,22 +121,16 @@ public final class StepParameters {
     /** The table of {@link DeviceArray#RESPONSES}; all zeros at first, as on the device. */
     private final int[] responses = new int[PairTable.WORDS];
 
-    private final float[] kindMotion = new float[KindMotion.of(PairTable.KINDS)];
-    private int motionVersion;
-    private boolean motionSent = true;
-    private final FloatBuffer motionView = FloatBuffer.wrap(kindMotion);
     private int responsesVersion;
     private boolean responsesSent = true;
     private final IntBuffer responsesView = IntBuffer.wrap(responses);
-    private final int[] surfaces = new int[KindSurface.FLOATS];
-    private final IntBuffer surfacesView = IntBuffer.wrap(surfaces);
-    private int surfacesVersion;
+    private final Table motion = new Table(KindMotion.of(PairTable.KINDS), 0);
+    private final Table surfaces = new Table(KindSurface.FLOATS, DeviceArray.SURFACES_AT);
+    private final Table sleep = new Table(KindSleep.of(PairTable.KINDS), DeviceArray.KIND_SLEEP_AT);
+
+    /** Whether {@link #surfaces} has those of steps in which circles turn. */
     private boolean turning;
-    private boolean surfacesSent;
-    private final float[] kindSleep = new float[KindSleep.of(PairTable.KINDS)];
-    private final FloatBuffer kindSleepView = FloatBuffer.wrap(kindSleep);
-    private int sleepVersion;
-    private boolean sleepSent;
+
     private final TerrainUpload terrain = new TerrainUpload();
     private final JointUpload joints = new JointUpload();
     private final int[] sentWalls = new int[WALLS.words()];
@@ -154,9 +148,9 @@ public final class StepParameters {
     /** What comes is of another world, whose tables may have the versions of those that have been sent. */
     public void forget() {
         responsesVersion = NEVER;
-        motionVersion = NEVER;
-        surfacesVersion = NEVER;
-        sleepVersion = NEVER;
+        motion.version = NEVER;
+        surfaces.version = NEVER;
+        sleep.version = NEVER;
         terrain.forget();
         joints.forget();
     }
@@ -171,16 +165,8 @@ public final class StepParameters {
             responsesVersion = input.responsesVersion;
             responsesSent = false;
         }
-        if (motionVersion != input.motion.version) {
-            System.arraycopy(input.motion.rows, 0, kindMotion, 0, kindMotion.length);
-            motionVersion = input.motion.version;
-            motionSent = false;
-        }
-        if (sleepVersion != input.sleep.version) {
-            System.arraycopy(input.sleep.rows, 0, kindSleep, 0, kindSleep.length);
-            sleepVersion = input.sleep.version;
-            sleepSent = false;
-        }
+        motion.take(input.motion.rows, input.motion.version);
+        sleep.take(input.sleep.rows, input.sleep.version);
         if (!surfacesAreOf(input)) {
             setSurfaces(input);
         }
@@ -201,30 +187,24 @@ public final class StepParameters {
 
     /** For steps that do not turn: surfaces that change nothing. */
     private void clearSurfaces() {
-        Arrays.fill(surfaces, 0);
+        Arrays.fill(surfaces.rows, 0f);
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            surfaces[KindSurface.of(kind) + KindSurface.DAMPING_FACTOR] = Float.floatToRawIntBits(1f);
+            surfaces.rows[KindSurface.of(kind) + KindSurface.DAMPING_FACTOR] = 1f;
         }
     }
 
     private void setSurfaces(StepInput input) {
-        clearSurfaces();
-        if (input.constants.turning) {
-            pack(input.surfaces.rows, surfaces);
-        }
         turning = input.constants.turning;
-        surfacesVersion = input.surfaces.version;
-        surfacesSent = false;
-    }
-
-    private static void pack(float[] from, int[] to) {
-        for (int k = 0; k < from.length; k++) {
-            to[k] = Float.floatToRawIntBits(from[k]);
+        if (turning) {
+            surfaces.copy(input.surfaces.rows, input.surfaces.version);
+        } else {
+            clearSurfaces();
+            surfaces.isSent = false;
         }
     }
 
     private boolean surfacesAreOf(StepInput input) {
-        return turning == input.constants.turning && (!turning || surfacesVersion == input.surfaces.version);
+        return turning == input.constants.turning && (!turning || surfaces.version == input.surfaces.version);
     }
 
     /** Whether what was taken down last is these, but for what is set apart from it. */
@@ -236,8 +216,8 @@ public final class StepParameters {
         LEVELS.pack(shape, otherLevels);
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
         return responsesVersion == input.responsesVersion
-                && motionVersion == input.motion.version
-                && sleepVersion == input.sleep.version
+                && motion.version == input.motion.version
+                && sleep.version == input.sleep.version
                 && surfacesAreOf(input)
                 && terrain.areOf(input)
                 && joints.areOf(input)
@@ -279,18 +259,9 @@ public final class StepParameters {
             arrays.get(DeviceArray.RESPONSES).write(0, responsesView);
             responsesSent = true;
         }
-        if (!motionSent) {
-            arrays.get(DeviceArray.KIND_MOTION).write(motionView);
-            motionSent = true;
-        }
-        if (!surfacesSent && arrays.turning()) {
-            arrays.writeSurfaces(surfacesView);
-            surfacesSent = true;
-        }
-        if (!sleepSent && arrays.sleeping()) {
-            arrays.writeTable(DeviceArray.KIND_SLEEP_AT, kindSleepView);
-            sleepSent = true;
-        }
+        motion.send(arrays, true);
+        surfaces.send(arrays, arrays.features().turning());
+        sleep.send(arrays, arrays.features().sleeping());
         terrain.send(arrays);
         joints.send(arrays);
     }
@@ -299,6 +270,44 @@ public final class StepParameters {
         if (!Arrays.equals(words, sent)) {
             to.write(0, view);
             System.arraycopy(words, 0, sent, 0, words.length);
+        }
+    }
+
+    /** A copy of a table of kinds of the host's, which changes with its version. */
+    private static final class Table {
+        final float[] rows;
+        private final FloatBuffer view;
+
+        /** Floats before it in the buffer of tables. */
+        private final int at;
+
+        int version;
+        boolean isSent;
+
+        Table(int floats, int at) {
+            rows = new float[floats];
+            view = FloatBuffer.wrap(rows);
+            this.at = at;
+        }
+
+        void take(float[] from, int newVersion) {
+            if (version != newVersion) {
+                copy(from, newVersion);
+            }
+        }
+
+        void copy(float[] from, int newVersion) {
+            System.arraycopy(from, 0, rows, 0, rows.length);
+            version = newVersion;
+            isSent = false;
+        }
+
+        /** Sends it, unless it is there or has no room. */
+        void send(DeviceArrays arrays, boolean hasRoom) {
+            if (!isSent && hasRoom) {
+                arrays.writeTable(at, view);
+                isSent = true;
+            }
         }
     }
 }

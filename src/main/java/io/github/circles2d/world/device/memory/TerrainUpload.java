@@ -38,8 +38,8 @@ final class TerrainUpload {
     /** Whether all that was taken down last has been sent, but for what has no room. */
     private boolean sent;
 
-    private final int[] head = new int[TerrainRoom.HEAD];
-    private final int[] sentHead = new int[TerrainRoom.HEAD];
+    private final int[] head = new int[TerrainArray.HEAD];
+    private final int[] sentHead = new int[TerrainArray.HEAD];
     private final IntBuffer headView = IntBuffer.wrap(head);
 
     /** What comes is of another world. */
@@ -85,10 +85,10 @@ final class TerrainUpload {
 
     /** Sends what is not there yet, where there is memory for it. */
     void send(DeviceArrays arrays) {
-        if (sent || !arrays.terrain()) {
+        if (sent || !arrays.features().terrain()) {
             return;
         }
-        TerrainRoom room = arrays.terrainRoom();
+        TableRoom room = arrays.terrainRoom();
         if (sentRoom != room.version()) {
             sentPieces = NEVER;
             sentTree = NEVER;
@@ -105,13 +105,13 @@ final class TerrainUpload {
         sent = true;
     }
 
-    private void sendHead(DeviceArrays arrays, TerrainRoom room) {
-        for (int table = TerrainRoom.ROWS; table <= TerrainRoom.MOTION; table++) {
-            head[table] = room.at(table);
+    private void sendHead(DeviceArrays arrays, TableRoom room) {
+        for (TerrainArray table : TerrainArray.values()) {
+            head[table.ordinal()] = room.at(table);
         }
-        head[TerrainRoom.NODES] = any ? tables.nodes : 0;
-        head[TerrainRoom.GROUND_NODES] = any ? tables.groundNodes : 0;
-        head[TerrainRoom.BODIES] = any ? tables.bodies : 1;
+        head[TerrainArray.AT_NODES] = any ? tables.nodes : 0;
+        head[TerrainArray.AT_GROUND_NODES] = any ? tables.groundNodes : 0;
+        head[TerrainArray.AT_BODIES] = any ? tables.bodies : 1;
         if (!Arrays.equals(head, sentHead)) {
             arrays.writeTable(DeviceArray.TERRAIN_AT, headView);
             System.arraycopy(head, 0, sentHead, 0, head.length);
@@ -123,8 +123,8 @@ final class TerrainUpload {
             boolean some = sentPieces != NEVER && sentPieces == piecesVersion - 1;
             int from = some ? tables.changedFrom : 0;
             int to = some ? tables.changedTo : tables.pieces;
-            write(arrays, TerrainRoom.ROWS, tables.rows, PieceRow.of(from), PieceRow.of(to));
-            write(arrays, TerrainRoom.TRAITS, tables.traits, PieceRow.traits(from), PieceRow.traits(to));
+            arrays.write(TerrainArray.ROWS, tables.rows, PieceRow.of(from), PieceRow.of(to));
+            arrays.write(TerrainArray.TRAITS, tables.traits, PieceRow.traits(from), PieceRow.traits(to));
             sentPieces = piecesVersion;
         }
     }
@@ -133,9 +133,9 @@ final class TerrainUpload {
         if (sentTree != treeVersion) {
             boolean some = sentTree != NEVER && sentTree == treeVersion - 1 && sentLinks == tables.linksVersion;
             int from = some ? tables.boxesFrom : 0;
-            write(arrays, TerrainRoom.BOXES, tables.boxes, TerrainRoom.BOX * from, TerrainRoom.BOX * tables.nodes);
+            arrays.write(TerrainArray.BOXES, tables.boxes, TerrainArray.BOX * from, TerrainArray.BOX * tables.nodes);
             if (!some) {
-                write(arrays, TerrainRoom.LINKS, tables.links, 0, TerrainRoom.LINK * tables.nodes);
+                arrays.write(TerrainArray.LINKS, tables.links, 0, TerrainArray.LINK * tables.nodes);
             }
             sentTree = treeVersion;
             sentLinks = tables.linksVersion;
@@ -145,30 +145,13 @@ final class TerrainUpload {
     private void sendMotion(DeviceArrays arrays) {
         if (sentMotion != motionVersion) {
             int floats = BodyRow.of(tables.bodies, subSteps);
-            write(arrays, TerrainRoom.MOTION, tables.motion, BodyRow.of(1, subSteps), floats);
+            arrays.write(TerrainArray.MOTION, tables.motion, BodyRow.of(1, subSteps), floats);
             sentMotion = motionVersion;
         }
         if (sentKinds != kindsVersion) {
             int at = DeviceArray.KIND_TERRAIN_AT;
             arrays.writeTable(at, FloatBuffer.wrap(tables.kinds.rows, 0, KindTerrain.of(PairTable.KINDS)));
             sentKinds = kindsVersion;
-        }
-    }
-
-    /** Writes a part of a table. */
-    private static void write(DeviceArrays arrays, int table, float[] values, int from, int to) {
-        if (from < to) {
-            arrays.writeTable(
-                    DeviceArray.TERRAIN_AT + arrays.terrainRoom().at(table, from, to),
-                    FloatBuffer.wrap(values, from, to - from));
-        }
-    }
-
-    private static void write(DeviceArrays arrays, int table, int[] values, int from, int to) {
-        if (from < to) {
-            arrays.writeTable(
-                    DeviceArray.TERRAIN_AT + arrays.terrainRoom().at(table, from, to),
-                    IntBuffer.wrap(values, from, to - from));
         }
     }
 }

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.device.memory;
 
-import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 
@@ -18,15 +17,15 @@ public final class TouchArrays implements AutoCloseable {
 
     private static final long SLOT_BYTES = 32;
 
-    private final Session session;
     private final boolean walls;
     private boolean pieces;
-    private DeviceBuffer contacts;
-    private DeviceBuffer slots;
+    private final GrownBuffer contacts;
+    private final GrownBuffer slots;
 
     public TouchArrays(Session session, boolean walls) {
-        this.session = session;
         this.walls = walls;
+        contacts = new GrownBuffer(session, "touches");
+        slots = new GrownBuffer(session, "touches of walls");
     }
 
     /** Sets whether the steps to come report pieces of terrain. */
@@ -58,24 +57,23 @@ public final class TouchArrays implements AutoCloseable {
 
     /** Gives a kernel its RECORDING_PARAMETERS, of which the first is an argument of its own. */
     public void bind(Kernel kernel, int first) {
-        kernel.arg(StageKernels.own(first), contacts)
-                .arg(StageKernels.own(first + 1), slots)
+        kernel.arg(StageKernels.own(first), contacts.get())
+                .arg(StageKernels.own(first + 1), slots.get())
                 .arg(StageKernels.own(first + 2), (walls ? 1 : 0) | (pieces ? 2 : 0));
     }
 
     /** Makes room for what other arrays have room for. */
     public void ensure(DeviceArrays arrays) {
-        long contactBytes = CONTACT_BYTES + (arrays.terrain() ? PIECE_BYTES : 0) + (arrays.turning() ? SLIP_BYTES : 0);
-        contacts = ensure("touches", contacts, contactBytes * arrays.contactCapacity());
-        slots = ensure("touches of walls", slots, SLOT_BYTES * arrays.slotCapacity());
-    }
-
-    private DeviceBuffer ensure(String name, DeviceBuffer buffer, long bytes) {
-        return GrownBuffer.of(session, name, buffer, bytes, bytes);
+        long contactBytes = CONTACT_BYTES
+                + (arrays.features().terrain() ? PIECE_BYTES : 0)
+                + (arrays.features().turning() ? SLIP_BYTES : 0);
+        contacts.ensure(contactBytes * arrays.contactCapacity());
+        slots.ensure(SLOT_BYTES * arrays.slotCapacity());
     }
 
     @Override
     public void close() {
-        GrownBuffer.close(contacts, slots);
+        contacts.close();
+        slots.close();
     }
 }

@@ -1,5 +1,8 @@
 package io.github.circles2d.world.device.memory;
 
+import static io.github.circles2d.world.device.memory.KernelConstants.of;
+import static io.github.circles2d.world.device.memory.KernelConstants.places;
+
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
@@ -8,6 +11,7 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.CrossRule;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
@@ -44,14 +48,12 @@ final class WorldTables {
     /** The kernels' type of those of a circle's walls: a row's two axes side by side. */
     static final String WALL_ROWS = "WallRows";
 
-    private static final String TURNING = "TURNING";
-    private static final String TERRAIN = "TERRAIN";
-    private static final String SLEEPING = "SLEEPING";
-    private static final String OWN_MOTION = "OWN_MOTION";
-    private static final String JOINTS = "JOINTS";
+    /** What kernels with the arrays of {@link DeviceArray#FEATURES} are compiled for, in their order. */
+    private static final List<String> FEATURES = List.of("TURNING", "TERRAIN", "SLEEPING", "OWN_MOTION", "JOINTS");
 
-    /** What kernels may be compiled for, in the order in which the struct World has the arrays. */
-    private static final List<String> FEATURES = List.of(TURNING, TERRAIN, SLEEPING, OWN_MOTION, JOINTS);
+    /** Of which kernels have a macro each, {@code IF_TURNING(text)}: the text, or nothing. */
+    private static final List<String> CONDITIONS =
+            List.of("TURNING", "TERRAIN", "SLEEPING", "OWN_MOTION", "JOINTS", "BODIES", "RECORDING");
 
     /** Macros that name all arrays, whether a kernel uses them or not. */
     static final Set<String> MACROS_OF_ALL_ARRAYS = macrosOfAllArrays();
@@ -81,7 +83,7 @@ final class WorldTables {
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
         joints(text);
-        text.append(JointHead.STRUCT.text());
+        text.append(JointUpload.Head.STRUCT.text());
         text.append("typedef float" + ContactRows.STRIDE + " " + ROWS + ";\n");
         text.append("typedef float" + 2 * ContactRows.STRIDE + " " + WALL_ROWS + ";\n");
         text.append(TouchArrays.text()).append(EventArrays.text());
@@ -98,26 +100,26 @@ final class WorldTables {
 
     /** Numbers that rows of the host's tables have. */
     private static void tables(StringBuilder text) {
-        text.append(KernelConstants.of(Tuning.class, ""))
-                .append(KernelConstants.of(Reach.class, "REACH_"))
-                .append(KernelConstants.of(CrossRule.class, "CROSS_"))
-                .append(KernelConstants.of(TouchRule.class, "TOUCH_"))
-                .append(KernelConstants.of(SensorRule.class, "SENSOR_"))
-                .append(KernelConstants.of(PairTable.class, "PAIR_"))
-                .append(KernelConstants.of(Surface.class, "SURFACE_"))
-                .append(KernelConstants.of(KindSurface.class, "SURFACE_"))
-                .append(KernelConstants.of(KindTerrain.class, "KIND_TERRAIN_"))
-                .append(KernelConstants.of(KindSleep.class, "KIND_SLEEP_"))
-                .append(KernelConstants.of(Sleep.class, "SLEEP_"))
-                .append(KernelConstants.of(PieceRow.class, "PIECE_"))
-                .append(KernelConstants.of(BodyRow.class, "BODY_"))
-                .append(KernelConstants.of(JointMath.class, "JOINT_"))
-                .append(KernelConstants.of(JointStep.class, "JOINT_"))
-                .append(KernelConstants.places(JointState.class, "KEPT_", "kept"))
-                .append(KernelConstants.places(JointSpring.class, "SPRING_", "spring"))
-                .append(KernelConstants.of(Commands.class, "COMMAND_"))
-                .append(KernelConstants.of(Scan.class, "SCAN_"))
-                .append(KernelConstants.of(TileRecord.class, "TILE_"));
+        text.append(of(Tuning.class, ""))
+                .append(of(Reach.class, "REACH_"))
+                .append(of(CrossRule.class, "CROSS_"))
+                .append(of(TouchRule.class, "TOUCH_"))
+                .append(of(SensorRule.class, "SENSOR_"))
+                .append(of(PairTable.class, "PAIR_"))
+                .append(of(Surface.class, "SURFACE_"))
+                .append(of(KindSurface.class, "SURFACE_"))
+                .append(of(KindTerrain.class, "KIND_TERRAIN_"))
+                .append(of(KindSleep.class, "KIND_SLEEP_"))
+                .append(of(Sleep.class, "SLEEP_"))
+                .append(of(PieceRow.class, "PIECE_"))
+                .append(of(BodyRow.class, "BODY_"))
+                .append(of(JointMath.class, "JOINT_"))
+                .append(of(JointStep.class, "JOINT_"))
+                .append(places(JointState.class, "KEPT_", "kept"))
+                .append(places(JointSpring.class, "SPRING_", "spring"))
+                .append(of(Commands.class, "COMMAND_"))
+                .append(of(Scan.class, "SCAN_"))
+                .append(of(TileRecord.class, "TILE_"));
         for (CircleField field : CircleField.OF_STEPS) {
             define(text, "FIELD_" + field.name(), CircleField.OF_STEPS.indexOf(field), "of a record that sets a field");
         }
@@ -133,64 +135,30 @@ final class WorldTables {
         define(text, "FIRST_PIECE", Partner.ofPiece(0), "behind the walls");
         define(text, "BLOCK_LOG", DeviceArrays.BLOCK_LOG, "of the cells of a block");
         define(text, "TERRAIN_AT", DeviceArray.TERRAIN_AT, "floats before terrain in the buffer of kindMotion");
-        define(text, "TERRAIN_ROWS", TerrainRoom.ROWS, "int of terrain: floats before the rows of pieces");
-        define(text, "TERRAIN_TRAITS", TerrainRoom.TRAITS, "before their traits, an int4 each");
-        define(text, "TERRAIN_BOXES", TerrainRoom.BOXES, "before the boxes of nodes, a float4 each");
-        define(text, "TERRAIN_LINKS", TerrainRoom.LINKS, "before their links, an int2 each");
-        define(text, "TERRAIN_MOTION", TerrainRoom.MOTION, "before the motion of bodies");
-        define(text, "TERRAIN_NODES", TerrainRoom.NODES, "number of nodes");
-        define(
-                text,
-                "TERRAIN_GROUND_NODES",
-                TerrainRoom.GROUND_NODES,
-                "number of those of the ground, which come first");
-        define(text, "TERRAIN_BODIES", TerrainRoom.BODIES, "number of bodies that move, and 1");
+        for (TerrainArray table : TerrainArray.values()) {
+            define(text, "TERRAIN_" + table.name(), table.ordinal(), "int of terrain: words before " + table.comment());
+        }
+        define(text, "TERRAIN_NODES", TerrainArray.AT_NODES, "number of nodes");
+        define(text, "TERRAIN_GROUND_NODES", TerrainArray.AT_GROUND_NODES, "of those of the ground, which come first");
+        define(text, "TERRAIN_BODIES", TerrainArray.AT_BODIES, "number of bodies that move, and 1");
         define(text, "TRAIT_SHAPE", "s" + PieceRow.SHAPE, "of an int4 of traits: form and joints");
         define(text, "TRAIT_MOTION", "s" + PieceRow.MOTION, "row of its body's motion, or 0");
         define(text, "TRAIT_KIND", "s" + PieceRow.KIND, "kind");
         define(text, "TRAIT_SERIAL", "s" + PieceRow.SERIAL, "serial number");
     }
 
+    /** The numbers of a joint's rows and traits, which kernels have as vectors, row[0] and so on, and the bits of its form. */
     private static void joints(StringBuilder text) {
-        row(text, "row", "ROW_LENGTH", JointRow.LENGTH, "of a joint's row");
-        row(text, "row", "ROW_ANCHOR_X", JointRow.ANCHOR_X, "anchor, if it has no B");
-        row(text, "row", "ROW_ANCHOR_Y", JointRow.ANCHOR_Y, "the same");
-        row(text, "row", "ROW_MIN_LENGTH", JointRow.MIN_LENGTH, "least length");
-        row(text, "row", "ROW_MAX_LENGTH", JointRow.MAX_LENGTH, "greatest length");
-        row(text, "row", "ROW_MAX_FORCE", JointRow.MAX_FORCE, "greatest force");
-        row(text, "row", "ROW_MAX_TORQUE", JointRow.MAX_TORQUE, "greatest torque");
-        row(text, "row", "ROW_SPEED", JointRow.SPEED, "of A against B");
-        row(text, "row", "ROW_BREAK_FORCE", JointRow.BREAK_FORCE, "by which it breaks");
-        row(text, "row", "ROW_BREAK_TORQUE", JointRow.BREAK_TORQUE, "the same");
-        row(text, "row", "ROW_DIRECTION_X", JointRow.DIRECTION_X, "from A to B");
-        row(text, "row", "ROW_DIRECTION_Y", JointRow.DIRECTION_Y, "the same");
-        row(text, "traits", "HOLDS_A", JointRow.A, "of a joint's traits: id of A");
-        row(text, "traits", "HOLDS_B", JointRow.B, "id of B, or NONE");
-        row(text, "traits", "HOLD_FORM", JointRow.FORM, "its form");
-        row(text, "traits", "HOLD_SPRING", JointRow.SPRING, "its spring");
-        row(text, "traits", "HOLD_ANCHOR", JointRow.ANCHOR, "its anchor that moves, or 0");
-        row(text, "traits", "HOLD_SERIAL", JointRow.SERIAL, "serial number");
-        row(text, "traits", "REFERENCE_A", JointRow.REFERENCE_A, "angle of A");
-        row(text, "traits", "REFERENCE_B", JointRow.REFERENCE_B, "angle of B");
-        define(text, "HOLD_LINEAR", JointRow.LINEAR, "of a form: one of the next three, or 0");
-        define(text, "HOLD_AXIAL", JointRow.AXIAL, "along the line from A to B");
-        define(text, "HOLD_POINT", JointRow.POINT, "in both axes");
-        define(text, "HOLD_DRAG", JointRow.DRAG, "on the velocity alone");
-        define(text, "HOLD_RIGID", JointRow.RIGID, "not by a spring");
-        define(text, "HOLD_ELASTIC", JointRow.ELASTIC, "by a spring");
-        define(text, "HOLD_LOWER", JointRow.LOWER, "has a least length");
-        define(text, "HOLD_UPPER", JointRow.UPPER, "has a greatest length");
-        define(text, "HOLD_ACROSS", JointRow.ACROSS, "keeps its direction");
-        define(text, "HOLD_ANGULAR", JointRow.ANGULAR, "one of the next three, or 0");
-        define(text, "HOLD_TURN_SPEED", JointRow.TURN_SPEED, "a motor");
-        define(text, "HOLD_TURN_ANGLE", JointRow.TURN_ANGLE, "a servo");
-        define(text, "HOLD_TURN_RIGID", JointRow.TURN_RIGID, "a weld");
-        define(text, "HOLD_BREAKABLE", JointRow.BREAKABLE, "it may break");
-    }
-
-    /** A number of a row, which kernels have as vectors, row[0] and so on. */
-    private static void row(StringBuilder text, String vectors, String name, int place, String comment) {
-        define(text, name, vectors + "[" + place / 4 + "].s" + place % 4, comment);
+        Class<?> rows = JointRow.class;
+        text.append(places(
+                        rows, "ROW_", "row", "LENGTH", "MIN_LENGTH", "MAX_LENGTH", "MAX_FORCE", "MAX_TORQUE", "SPEED"))
+                .append(places(rows, "ROW_", "row", "ANCHOR_X", "ANCHOR_Y", "DIRECTION_X", "DIRECTION_Y"))
+                .append(places(rows, "ROW_", "row", "BREAK_FORCE", "BREAK_TORQUE"))
+                .append(places(rows, "HOLDS_", "traits", "A", "B"))
+                .append(places(rows, "HOLD_", "traits", "FORM", "SPRING", "ANCHOR", "SERIAL"))
+                .append(places(rows, "", "traits", "REFERENCE_A", "REFERENCE_B"))
+                .append(of(rows, "HOLD_", "LINEAR", "AXIAL", "POINT", "DRAG", "RIGID", "ELASTIC", "LOWER", "UPPER"))
+                .append(of(rows, "HOLD_", "ACROSS", "ANGULAR", "TURN_SPEED", "TURN_ANGLE", "TURN_RIGID", "BREAKABLE"));
     }
 
     private static String parameters() {
@@ -246,19 +214,13 @@ final class WorldTables {
 
     /** What kernels are compiled for that have an array; empty if all have it. */
     private static String featureOf(DeviceArray array) {
-        return array.turns()
-                ? TURNING
-                : array.isOfTerrain()
-                        ? TERRAIN
-                        : array.isOfSleep()
-                                ? SLEEPING
-                                : array.isOfOwnMotion() ? OWN_MOTION : array.isOfJoints() ? JOINTS : "";
+        return array.feature() == Features.NONE ? "" : FEATURES.get(DeviceArray.FEATURES.indexOf(array.feature()));
     }
 
     /** A macro for each feature, {@code TURNING_ARRAYS} for TURNING, and then the initialiser. */
     private static String initialiser() {
         StringBuilder text = new StringBuilder();
-        for (String feature : List.of(TURNING, TERRAIN)) {
+        for (String feature : CONDITIONS) {
             String name = "#define IF_" + feature + "(text)";
             text.append("#ifdef " + feature + "\n" + name + " text\n#else\n" + name + "\n#endif\n");
         }

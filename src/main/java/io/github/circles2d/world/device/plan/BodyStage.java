@@ -1,6 +1,5 @@
 package io.github.circles2d.world.device.plan;
 
-import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Session;
@@ -81,12 +80,12 @@ final class BodyStage {
         if (bodies.areThere()) {
             bodies.findHeld();
         }
-        int held = bodies.areThere() ? bodies.held() : 0;
+        int held = held();
         if (held > 0) {
-            arrays.ensureHeld(bytes(held));
+            arrays.ensure(arrays.held, bytes(held));
             bodies.putHeld(arrays.host().ints().duplicate().clear());
-            arrays.held().write(0, arrays.host(), 0, bytes(held));
-            free.arg(StageKernels.own(0), arrays.held())
+            arrays.send(arrays.held, bytes(held));
+            free.arg(StageKernels.own(0), arrays.held.get())
                     .arg(StageKernels.own(1), held)
                     .run(held);
         }
@@ -119,45 +118,42 @@ final class BodyStage {
         int before = BOXES + BOX_WORDS * boxes;
         int named = near == find ? bodies.named() : 0;
         if (named > 0 && bodies.sleep()) { // else free() has sent them
-            arrays.ensureHeld(bytes(named));
+            arrays.ensure(arrays.held, bytes(named));
             bodies.putNamed(arrays.host().ints().duplicate().clear());
-            arrays.held().write(0, arrays.host(), 0, bytes(named));
+            arrays.send(arrays.held, bytes(named));
         }
         for (int room = LEAST_ROOM; ; ) {
-            arrays.ensureFound(bytes(before + (long) wordsEach * room));
-            room = (int) Math.min(circles + named, (arrays.found().bytes() / Integer.BYTES - before) / wordsEach);
+            arrays.ensure(arrays.found, bytes(before + (long) wordsEach * room));
+            room = (int) Math.min(circles + named, (arrays.found.get().bytes() / Integer.BYTES - before) / wordsEach);
             putBoxes(near == find);
-            arrays.found().write(0, arrays.host(), 0, bytes(before));
-            near.arg(StageKernels.own(0), arrays.found())
+            arrays.send(arrays.found, bytes(before));
+            near.arg(StageKernels.own(0), arrays.found.get())
                     .arg(StageKernels.own(1), boxes)
                     .arg(StageKernels.own(2), room)
                     .run(circles);
             if (named > 0) {
-                name.arg(StageKernels.own(0), arrays.held())
+                name.arg(StageKernels.own(0), arrays.held.get())
                         .arg(StageKernels.own(1), named)
-                        .arg(StageKernels.own(2), arrays.found())
+                        .arg(StageKernels.own(2), arrays.found.get())
                         .arg(StageKernels.own(3), boxes)
                         .arg(StageKernels.own(4), room)
                         .run(named);
             }
             int expected = Math.min(room, LEAST_ROOM);
-            arrays.found().read(0, arrays.host(), 0, bytes(before + (long) wordsEach * expected));
+            arrays.receive(arrays.found, bytes(before + (long) wordsEach * expected));
             int found = arrays.host().ints().get(0);
             if (arrays.host().ints().get(1) != 0) {
                 return -1;
             }
             if (found <= room) {
                 if (found > expected) {
-                    arrays.found().read(0, arrays.host(), 0, bytes(before + (long) wordsEach * found));
+                    arrays.receive(arrays.found, bytes(before + (long) wordsEach * found));
                 }
                 return found;
             }
             room = found;
         }
     }
-
-    // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     boolean areIdle() {
         return bodies.areIdle();
@@ -176,7 +172,7 @@ final class BodyStage {
         bodies.beginWaking();
         int sleepers = circlesSleep ? bodies.sleepers() : 0;
         if (sleepers > 0) {
-            arrays.ensureSleepers(bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+            arrays.ensure(arrays.sleepers, sleeperBytes(sleepers));
             bodies.putSleepers(arrays.host().ints(), SLEEPERS);
             sendSleepers(sleepers);
         }
@@ -212,27 +208,31 @@ final class BodyStage {
     }
 
     private void sendSleepers(int sleepers) {
-        arrays.sleepers().write(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+        arrays.send(arrays.sleepers, sleeperBytes(sleepers));
     }
 
     /** Returns how many circles have woken in the ring. */
     private int receiveSleepers(int sleepers, int ring) {
-        arrays.sleepers().read(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+        arrays.receive(arrays.sleepers, sleeperBytes(sleepers));
         bodies.takeWoken(arrays.host().ints(), SLEEPERS, ring);
         return arrays.host().ints().get(0);
     }
 
     /** Behind a step: circles that joints hold to bodies do not fall asleep. */
     void keepAwake(SleepStage sleep) {
-        int held = bodies.areThere() ? bodies.held() : 0;
+        int held = held();
         if (held > 0) {
-            arrays.ensureHeld(bytes(held));
+            arrays.ensure(arrays.held, bytes(held));
             int still = bodies.putStillHeld(arrays.host().ints().duplicate().clear());
             if (still > 0) {
-                arrays.held().write(0, arrays.host(), 0, bytes(still));
+                arrays.send(arrays.held, bytes(still));
                 sleep.keepAwake(still);
             }
         }
+    }
+
+    private int held() {
+        return bodies.areThere() ? bodies.held() : 0;
     }
 
     private void putBoxes(boolean ofAll) {
@@ -248,6 +248,14 @@ final class BodyStage {
         }
     }
 
+    private static long sleeperBytes(int sleepers) {
+        return bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers);
+    }
+
+    private long rowBytes() {
+        return bytes((long) HostBodies.ROW_WORDS * bodies.circles());
+    }
+
     private static long bytes(long words) {
         return Integer.BYTES * words;
     }
@@ -256,10 +264,10 @@ final class BodyStage {
     void begin() {
         int n = bodies.circles();
         if (n > 0) {
-            arrays.ensureRows(bytes(n), bytes((long) HostBodies.ROW_WORDS * n));
-            HostBuffer host = arrays.host();
-            bodies.putSlots(host.ints().duplicate().clear());
-            arrays.slots().write(0, host, 0, bytes(n));
+            arrays.ensure(arrays.slots, bytes(n));
+            arrays.ensure(arrays.rows, rowBytes());
+            bodies.putSlots(arrays.host().ints().duplicate().clear());
+            arrays.send(arrays.slots, bytes(n));
             bind(take);
             bind(give);
             take();
@@ -270,9 +278,9 @@ final class BodyStage {
     }
 
     private void bind(Kernel kernel) {
-        kernel.arg(StageKernels.own(0), arrays.slots())
+        kernel.arg(StageKernels.own(0), arrays.slots.get())
                 .arg(StageKernels.own(1), bodies.circles())
-                .arg(StageKernels.own(2), arrays.rows());
+                .arg(StageKernels.own(2), arrays.rows.get());
     }
 
     private void take() {
@@ -284,7 +292,7 @@ final class BodyStage {
 
     private void receive() {
         if (bodies.circles() > 0) {
-            arrays.rows().read(0, arrays.host(), 0, bytes((long) HostBodies.ROW_WORDS * bodies.circles()));
+            arrays.receive(arrays.rows, rowBytes());
             bodies.take(arrays.host().floats());
         }
     }
@@ -292,7 +300,7 @@ final class BodyStage {
     private void give() {
         if (bodies.circles() > 0) {
             bodies.put(arrays.host().floats());
-            arrays.rows().write(0, arrays.host(), 0, bytes((long) HostBodies.ROW_WORDS * bodies.circles()));
+            arrays.send(arrays.rows, rowBytes());
             give.run(bodies.circles());
         }
     }

@@ -7,7 +7,7 @@ import io.github.circles2d.world.model.GridLevels;
 import java.util.List;
 
 /** One launch per stage, and per colour of contacts. It takes any world; {@code kernels/world/stages/Solver.cl}. */
-public final class ByColours implements Plan {
+public final class ByColours implements Plan, SubSteps.Passes {
     private static final int COLOURS = 4;
 
     private Stages stages;
@@ -16,11 +16,7 @@ public final class ByColours implements Plan {
     private Kernel solve;
     private Kernel integratePositions;
     private Kernel relax;
-    private CrossKernels cross;
-
-    /** Null in a world without joints. */
-    private JointKernels joints;
-
+    private SubSteps subSteps;
     private Kernel finalizePositions;
 
     /** Null, as the next, if steps do not record what contacts do. */
@@ -50,8 +46,7 @@ public final class ByColours implements Plan {
         integratePositions = stages.kernel("solver_integratePositions");
         relax = stages.kernel("solver_relax");
         finalizePositions = stages.kernel("solver_finalizePositions");
-        cross = new CrossKernels(stages);
-        joints = stages.joints();
+        subSteps = new SubSteps(stages);
     }
 
     @Override
@@ -65,55 +60,43 @@ public final class ByColours implements Plan {
     }
 
     private void makeSubSteps(Steps steps) {
-        GridLevels levels = steps.levels();
-        runByColour(levels, fill);
-        if (joints != null) {
-            joints.prepare();
-        }
-        cross.fill(steps);
+        runByColour(steps.levels(), fill);
+        subSteps.begin(steps, true);
         if (stages.recording()) {
             stages.record(begin, 0).run(2L * steps.circles());
         }
         BodyStage bodies = stages.findBodies(steps.circles()); // contacts may have refused the step as they were filled
-        if (bodies != null) {
-            bodies.begin();
-        }
         stages.record(integrateVelocities, 1);
         stages.record(solve, 1);
         stages.record(integratePositions, 1);
         stages.record(relax, 2);
-        for (int sub = 0; sub < steps.subSteps(); sub++) {
-            integrateVelocities.arg(StageKernels.own(0), sub).run(steps.circles());
-            runByColour(levels, solve);
-            if (joints != null) {
-                joints.solve(sub);
-            }
-            if (bodies != null) {
-                bodies.solveJoints(sub);
-            }
-            cross.solve(steps);
-            if (bodies != null) {
-                bodies.solve(sub);
-            }
-            integratePositions.arg(StageKernels.own(0), sub).run(steps.circles());
-            boolean last = sub == steps.subSteps() - 1;
-            relax.arg(StageKernels.own(1), last ? 1 : 0);
-            runByColour(levels, relax);
-            if (joints != null) {
-                joints.relax(sub, last);
-            }
-            if (bodies != null) {
-                bodies.relaxJoints(sub, last);
-            }
-            cross.relax(steps, last);
-            if (bodies != null) {
-                bodies.relax(sub, last);
-            }
-        }
+        subSteps.make(steps, true, bodies, this);
+    }
+
+    @Override
+    public void start(Steps steps, int sub) {
+        integrateVelocities.arg(StageKernels.own(0), sub).run(steps.circles());
+    }
+
+    @Override
+    public void solve(Steps steps, int sub) {
+        runByColour(steps.levels(), solve);
+    }
+
+    @Override
+    public void move(Steps steps, int sub) {
+        integratePositions.arg(StageKernels.own(0), sub).run(steps.circles());
+    }
+
+    @Override
+    public void relax(Steps steps, int sub, boolean last) {
+        relax.arg(StageKernels.own(1), last ? 1 : 0);
+        runByColour(steps.levels(), relax);
+    }
+
+    @Override
+    public void finish(Steps steps) {
         finalizePositions.run(steps.circles());
-        if (bodies != null) {
-            bodies.end(steps.circles());
-        }
     }
 
     @Override
@@ -122,7 +105,7 @@ public final class ByColours implements Plan {
     }
 
     /** Runs a kernel that works on groups of contacts colour by colour, a work-item per group. Its first argument of its own is the colour. */
-    static void runByColour(GridLevels levels, Kernel kernel) {
+    private static void runByColour(GridLevels levels, Kernel kernel) {
         for (int colour = 0; colour < COLOURS; colour++) {
             kernel.arg(StageKernels.own(0), colour).run(levels.buckets() / COLOURS);
         }

@@ -64,10 +64,10 @@ public final class EventStage {
     public void decide(int circles) {
         bind(end);
         int next = FIRST + EventArrays.ARGUMENTS;
-        if (arrays.terrain()) {
+        if (arrays.features().terrain()) {
             end.arg(next++, arrays.get(DeviceArray.KIND_MOTION));
         }
-        if (arrays.sleeping()) {
+        if (arrays.features().sleeping()) {
             end.arg(next, arrays.get(DeviceArray.SLOT_OF))
                     .arg(next + 1, arrays.get(DeviceArray.HOME_TRAITS))
                     .arg(next + 2, arrays.get(DeviceArray.HOME_SLEEP));

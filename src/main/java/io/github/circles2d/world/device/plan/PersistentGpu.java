@@ -1,5 +1,6 @@
 package io.github.circles2d.world.device.plan;
 
+import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.DeviceArray;
@@ -8,6 +9,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.device.memory.TouchArrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 
 /**
@@ -33,6 +35,16 @@ public final class PersistentGpu implements Plan {
 
     PersistentGpu(TileSizes sizes) {
         this.sizes = sizes;
+    }
+
+    /** Whether a device is known to run work-groups that wait for each other; {@code kernels/world/shared/DeviceBarrier.cl}. */
+    public static boolean groupsWait(Device device) {
+        return device.vendor().toUpperCase(Locale.ROOT).contains("NVIDIA");
+    }
+
+    /** Work-groups that surely run at once, or 1: that a unit runs two depends on registers, and one that does not run is waited for. */
+    static int mostGroups(Device device) {
+        return groupsWait(device) ? device.computeUnits() : 1;
     }
 
     @Override
@@ -61,7 +73,7 @@ public final class PersistentGpu implements Plan {
         stages = shared;
         steps = stages.kernel("persistentGpu_steps");
         tell = stages.recording() ? stages.kernel("touches_tellByTile") : null;
-        mostGroups = ResidentGroups.most(stages.device());
+        mostGroups = mostGroups(stages.device());
     }
 
     @Override

@@ -1,6 +1,9 @@
 package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.device.memory.Status;
+import io.github.circles2d.world.device.memory.StatusWord;
+import io.github.circles2d.world.device.memory.TileRecord;
 import java.util.List;
 import java.util.Set;
 
@@ -51,4 +54,21 @@ public interface Plan {
 
     /** Takes note of how the last step filled its tiles, whichever plan made it. */
     default void learn(TileUse use, boolean thinning) {}
+
+    /**
+     * How the last step filled its tiles: percent of the room that the fullest took, {@code TileRecord.NONE} if none would do, 0 if
+     * there were none; tiles of the list, also those without room; whether some were cut.
+     */
+    record TileUse(int peak, int listed, boolean cut) {
+        /** What tells plans to make the step without tiles. */
+        public static final TileUse NONE_DO = new TileUse(TileRecord.NONE, 0, false);
+
+        /** As the device tells it. */
+        public static TileUse of(Status status) {
+            return new TileUse(
+                    status.get(StatusWord.TILE_PEAK),
+                    status.get(StatusWord.TILES_LISTED),
+                    status.has(StatusWord.TILES_CUT));
+        }
+    }
 }

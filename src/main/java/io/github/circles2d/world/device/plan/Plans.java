@@ -20,7 +20,7 @@ import java.util.function.Predicate;
  */
 public enum Plans {
     PERSISTENT_GPU(
-            device -> isGpu(device) && Tiles.fit(device) && ResidentGroups.fit(device),
+            device -> isGpu(device) && Tiles.fit(device) && PersistentGpu.groupsWait(device),
             device -> gpu(device) + ", of a vendor whose work-groups can wait for each other",
             device -> {
                 TileSizes sizes = new TileSizes(device.computeUnits(), Tiles.holdTurning(device));
@@ -199,7 +199,7 @@ public enum Plans {
     /** The same, with what they must know of a device. */
     public static KernelSource source(List<Plan> plans, Device device) {
         return BodyStage.define(JointKernels.define(SleepStage.define(source(plans))))
-                .define("PTX", ResidentGroups.fit(device))
+                .define("PTX", PersistentGpu.groupsWait(device))
                 .define("EVENT_GROUP", Tiles.eventGroup(device.maxWorkGroupSize()));
     }
 

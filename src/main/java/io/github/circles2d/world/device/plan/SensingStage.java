@@ -33,7 +33,7 @@ public final class SensingStage {
     /** Compiles what the steps to come need to find static circles that sense each other, and pieces. */
     public void prepare(boolean statics, boolean bodies) {
         findStatics = statics ? kernels.staged("statics_find") : null;
-        findPieces = bodies && arrays.terrain() ? kernels.staged("statics_findPieces") : null;
+        findPieces = bodies && arrays.features().terrain() ? kernels.staged("statics_findPieces") : null;
     }
 
     /** Enqueues what comes before a step. */

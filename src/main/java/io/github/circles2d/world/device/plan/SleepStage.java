@@ -69,7 +69,7 @@ final class SleepStage {
         if (sleepers > 0) {
             pressByBodies
                     .get()
-                    .arg(StageKernels.own(0), bodies.sleepers())
+                    .arg(StageKernels.own(0), bodies.sleepers.get())
                     .arg(StageKernels.own(1), sleepers)
                     .run(sleepers);
         }
@@ -82,7 +82,7 @@ final class SleepStage {
             spread.get()
                     .arg(StageKernels.own(0), from)
                     .arg(StageKernels.own(1), to)
-                    .arg(StageKernels.own(2), bodies.sleepers())
+                    .arg(StageKernels.own(2), bodies.sleepers.get())
                     .arg(StageKernels.own(3), sleepers);
         }
         spread.get().run(GROUP, GROUP);
@@ -96,7 +96,7 @@ final class SleepStage {
     /** Behind the step: so many circles, which {@link BodyArrays#held} has, do not fall asleep. */
     void keepAwake(int held) {
         holdByBodies
-                .arg(StageKernels.own(0), bodies.held())
+                .arg(StageKernels.own(0), bodies.held.get())
                 .arg(StageKernels.own(1), held)
                 .run(held);
     }

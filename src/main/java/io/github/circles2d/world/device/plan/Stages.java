@@ -88,7 +88,13 @@ public final class Stages {
         device = session.device();
         this.bodies = bodies == null
                 ? null
-                : new BodyStage(kernels, session, bodies, bodyArrays, arrays.joints(), arrays.sleeping());
+                : new BodyStage(
+                        kernels,
+                        session,
+                        bodies,
+                        bodyArrays,
+                        arrays.features().joints(),
+                        arrays.features().sleeping());
         this.kernels = kernels;
         this.ofSomeSteps = ofSomeSteps;
         this.arrays = arrays;
@@ -107,9 +113,11 @@ public final class Stages {
         contactsCountBySheet = kernels.later("contacts_countBySheet");
         contactsCountByLevelAndSheet = kernels.later("contacts_countByLevelAndSheet");
         contactsList = kernels.staged("contacts_list");
-        pieces = arrays.terrain() ? kernels.staged("pieces_find") : null;
-        joints = arrays.joints() ? new JointKernels(kernels, parameters.joints()) : null;
-        sleep = arrays.sleeping() ? new SleepStage(kernels, parameters.joints(), arrays.joints(), bodyArrays) : null;
+        pieces = arrays.features().terrain() ? kernels.staged("pieces_find") : null;
+        joints = arrays.features().joints() ? new JointKernels(kernels, parameters.joints()) : null;
+        sleep = arrays.features().sleeping()
+                ? new SleepStage(kernels, parameters.joints(), arrays.features().joints(), bodyArrays)
+                : null;
     }
 
     /** Sets where the steps to come note what contacts do, and decide what they report; null if they report nothing. */
@@ -281,7 +289,7 @@ public final class Stages {
         gridCount.run(slots);
         scan.run(arrays, levels.buckets() + 1, DeviceArray.BUCKET_START);
         gridScatter.run(slots);
-        if (arrays.sleeping()) {
+        if (arrays.features().sleeping()) {
             gridGather.arg(StageKernels.own(0), waking ? 1 : 0);
         }
         gridGather.run(circles);

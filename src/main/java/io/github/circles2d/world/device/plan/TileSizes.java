@@ -161,7 +161,7 @@ final class TileSizes {
         return Math.min((cellsUsed >> tileLog) + 1, (side - 1 >> tileLog) + 1);
     }
 
-    void learn(TileUse use, boolean thinning) {
+    void learn(Plan.TileUse use, boolean thinning) {
         if (thinning && givenUpForCrowds > 0) {
             givenUpForCrowds--;
         } else if (givenUp > 0) {
@@ -192,7 +192,7 @@ final class TileSizes {
         }
     }
 
-    private void learnCutting(TileUse use) {
+    private void learnCutting(Plan.TileUse use) {
         if (largestSize == SIZES.length && ++without == RETRY_TOGETHER) {
             largestSize--;
         }

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Set;
 
 /** One launch per stage, and per pass over all contacts of a level; {@code kernels/world/tiles/Tiles.cl} says how. */
-public final class Tiles implements Plan {
+public final class Tiles implements Plan, SubSteps.Passes {
     /** Local memory that a work-group takes. */
     private static final int LOCAL_BYTES = 40 << 10;
 
@@ -35,7 +35,12 @@ public final class Tiles implements Plan {
     private Kernel arrange;
     private Kernel solve;
     private Kernel relax;
-    private LevelPasses levels;
+    private SubSteps subSteps;
+    private Kernel startSlots;
+    private Kernel solveLevels;
+    private Kernel moveSlots;
+    private Kernel relaxLevels;
+    private Kernel finishSlots;
     private Kernel storeImpulses;
 
     /** Null if steps do not record what contacts do. */
@@ -109,12 +114,17 @@ public final class Tiles implements Plan {
         arrange = stages.kernel("contacts_arrange");
         solve = stages.kernel("solver_solveTile");
         relax = stages.kernel("solver_relaxTile");
-        levels = new LevelPasses(stages);
+        subSteps = new SubSteps(stages);
+        startSlots = stages.kernel("solver_startSlots");
+        solveLevels = stages.kernel("solver_solveLevels");
+        moveSlots = stages.kernel("solver_moveSlots");
+        relaxLevels = stages.kernel("solver_relaxLevels");
+        finishSlots = stages.kernel("solver_finishSlots");
         storeImpulses = stages.kernel("solver_storeImpulses");
         tell = stages.recording() ? stages.kernel("touches_tellByTile") : null;
         decide = stages.recording() ? stages.kernel("events_decideByTile") : null;
         eventGroup = eventGroup(stages.device().maxWorkGroupSize());
-        deciders = Math.min(ResidentGroups.most(stages.device()), EventArrays.MOST_DECIDERS);
+        deciders = Math.min(PersistentGpu.mostGroups(stages.device()), EventArrays.MOST_DECIDERS);
     }
 
     @Override
@@ -130,22 +140,60 @@ public final class Tiles implements Plan {
     }
 
     private void makeSubSteps(Steps steps) {
-        long items = (long) sizes.tiles() * TileRecord.GROUP;
         if (sizes.cut()) {
             cut.run(steps.levels().buckets() / CELLS_OF_SMALLEST);
         }
         link.run(2L * steps.circles());
-        stages.record(arrange.arg(StageKernels.own(0), sizes.cut() ? 1 : 0), 1).run(items, TileRecord.GROUP);
+        stages.record(arrange.arg(StageKernels.own(0), sizes.cut() ? 1 : 0), 1).run(items(), TileRecord.GROUP);
         BodyStage bodies = stages.findBodies(steps.circles());
         if (steps.sharePasses()) {
-            levels.make(steps, sizes.tiles(), bodies);
+            // Kernels that are for bodies, too, do not take the sums of heavy circles as the circles start or move.
+            subSteps.begin(steps, steps.bodies());
+            subSteps.make(steps, steps.bodies(), bodies, this);
         } else {
-            passes(steps, items);
+            passes(steps);
         }
         storeImpulses.run(2L * steps.circles());
         if (decidesEvents(steps)) {
             decide();
         }
+    }
+
+    @Override
+    public void start(Steps steps, int sub) {
+        runEach(startSlots, steps, sub);
+    }
+
+    @Override
+    public void solve(Steps steps, int sub) {
+        runTiles(solveLevels, sub);
+    }
+
+    @Override
+    public void move(Steps steps, int sub) {
+        runEach(moveSlots, steps, sub);
+    }
+
+    @Override
+    public void relax(Steps steps, int sub, boolean last) {
+        runTiles(relaxLevels, sub);
+    }
+
+    @Override
+    public void finish(Steps steps) {
+        finishSlots.run(steps.circles());
+    }
+
+    private void runEach(Kernel kernel, Steps steps, int sub) {
+        stages.record(kernel.arg(StageKernels.own(0), sub), 1).run(steps.circles());
+    }
+
+    private void runTiles(Kernel kernel, int sub) {
+        stages.record(kernel.arg(StageKernels.own(0), sub), 1).run(items(), TileRecord.GROUP);
+    }
+
+    private long items() {
+        return (long) sizes.tiles() * TileRecord.GROUP;
     }
 
     @Override
@@ -166,15 +214,15 @@ public final class Tiles implements Plan {
 
     @Override
     public void tell(int circles) {
-        stages.tell(tell, 0).run((long) sizes.tiles() * TileRecord.GROUP, TileRecord.GROUP);
+        stages.tell(tell, 0).run(items(), TileRecord.GROUP);
     }
 
-    private void passes(Steps steps, long items) {
+    private void passes(Steps steps) {
         stages.record(solve, 1);
         stages.record(relax, 1);
         for (int sub = 0; sub < steps.subSteps(); sub++) {
-            solve.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
-            relax.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
+            solve.arg(StageKernels.own(0), sub).run(items(), TileRecord.GROUP);
+            relax.arg(StageKernels.own(0), sub).run(items(), TileRecord.GROUP);
         }
     }
 
@@ -184,7 +232,7 @@ public final class Tiles implements Plan {
     }
 
     @Override
-    public void learn(TileUse use, boolean thinning) {
+    public void learn(Plan.TileUse use, boolean thinning) {
         sizes.learn(use, thinning);
     }
 }

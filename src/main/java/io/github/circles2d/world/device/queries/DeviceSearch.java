@@ -10,6 +10,7 @@ import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.queries.QueryShape;
@@ -49,13 +50,13 @@ public final class DeviceSearch implements RemoteSearch {
 
     private boolean refused;
 
-    private DeviceBuffer words;
-    private DeviceBuffer ends;
-    private DeviceBuffer ids;
-    private DeviceBuffer places;
-    private HostBuffer hostWords;
-    private HostBuffer hostIds;
-    private HostBuffer hostPlaces;
+    private final GrownBuffer words;
+    private final GrownBuffer ends;
+    private final GrownBuffer ids;
+    private final GrownBuffer places;
+    private final GrownBuffer.OnHost hostWords;
+    private final GrownBuffer.OnHost hostIds;
+    private final GrownBuffer.OnHost hostPlaces;
 
     /** Which state the tree shows, and whether it can be searched. */
     private long shown = NONE;
@@ -73,6 +74,13 @@ public final class DeviceSearch implements RemoteSearch {
         this.arrays = arrays;
         this.slots = slots;
         this.circles = circles;
+        words = new GrownBuffer(session, "queries");
+        ends = new GrownBuffer(session, "ends of queries");
+        ids = new GrownBuffer(session, "found circles");
+        places = new GrownBuffer(session, "places of found circles");
+        hostWords = new GrownBuffer.OnHost(session);
+        hostIds = new GrownBuffer.OnHost(session);
+        hostPlaces = new GrownBuffer.OnHost(session);
     }
 
     /** Compiles the searches, which takes a moment. Returns false if the compiler refuses them. */
@@ -135,11 +143,11 @@ public final class DeviceSearch implements RemoteSearch {
         return n <= MOST_NUMBERS / shape.stride()
                 && did(() -> {
                     write(shape, queries, n, filter);
-                    ends = grown(ends, "ends of queries", Integer.BYTES, n);
-                    hostIds = grown(hostIds, Integer.BYTES, n);
-                    bind(count, shape, filter != null, n).arg(10, ends).run(n);
-                    ends.read(0, hostIds, 0, (long) Integer.BYTES * n);
-                    hostIds.ints().get(0, counts, 0, n);
+                    long bytes = (long) Integer.BYTES * n;
+                    DeviceBuffer counted = ends.ensureRoomy(bytes);
+                    bind(count, shape, filter != null, n).arg(10, counted).run(n);
+                    counted.read(0, hostIds.ensure(bytes), 0, bytes);
+                    hostIds.get().ints().get(0, counts, 0, n);
                     return true;
                 });
     }
@@ -149,13 +157,13 @@ public final class DeviceSearch implements RemoteSearch {
         int found = endsOfQueries[n - 1];
         return found <= MOST_FOUND
                 && did(() -> {
-                    hostIds.ints().put(0, endsOfQueries, 0, n);
-                    ends.write(0, hostIds, 0, (long) Integer.BYTES * n);
+                    hostIds.get().ints().put(0, endsOfQueries, 0, n);
+                    ends.get().write(0, hostIds.get(), 0, (long) Integer.BYTES * n);
                     makeRoom(found);
                     bind(list, counted, countedFiltered, n)
-                            .arg(10, ends)
-                            .arg(11, ids)
-                            .arg(12, places)
+                            .arg(10, ends.get())
+                            .arg(11, ids.get())
+                            .arg(12, places.get())
                             .run(n);
                     read(found, withPlaces);
                     return true;
@@ -173,8 +181,8 @@ public final class DeviceSearch implements RemoteSearch {
                     bind(few, shape, filter != null, n)
                             .arg(10, within)
                             .arg(11, most)
-                            .arg(12, ids)
-                            .arg(13, places)
+                            .arg(12, ids.get())
+                            .arg(13, places.get())
                             .run(n);
                     read(n * most, withPlaces);
                     return true;
@@ -183,13 +191,13 @@ public final class DeviceSearch implements RemoteSearch {
 
     private void write(QueryShape shape, float[] queries, int n, int[] filter) {
         int numbers = shape.stride() * n;
-        hostWords = grown(hostWords, Integer.BYTES, FILTER_WORDS + numbers);
-        words = grown(words, "queries", Integer.BYTES, FILTER_WORDS + numbers);
+        long bytes = (long) Integer.BYTES * (FILTER_WORDS + numbers);
+        HostBuffer host = hostWords.ensure(bytes);
         for (int k = 0; k < FILTER_WORDS; k++) {
-            hostWords.ints().put(k, filter == null ? 0 : filter[k]);
+            host.ints().put(k, filter == null ? 0 : filter[k]);
         }
-        hostWords.floats().put(FILTER_WORDS, queries, 0, numbers);
-        words.write(0, hostWords, 0, (long) Integer.BYTES * (FILTER_WORDS + numbers));
+        host.floats().put(FILTER_WORDS, queries, 0, numbers);
+        words.ensureRoomy(bytes).write(0, host, 0, bytes);
         counted = shape;
         countedFiltered = filter != null;
     }
@@ -197,59 +205,43 @@ public final class DeviceSearch implements RemoteSearch {
     private Kernel bind(Kernel search, QueryShape shape, boolean filtered, int n) {
         return tree.bind(search)
                 .arg(5, shape.ordinal())
-                .arg(6, words)
+                .arg(6, words.get())
                 .arg(7, filtered ? 1 : 0)
                 .arg(8, arrays.get(DeviceArray.FIELDS))
                 .arg(9, n);
     }
 
     private void makeRoom(int found) {
-        ids = grown(ids, "found circles", Integer.BYTES, found);
-        places = grown(places, "places of found circles", PLACE_BYTES, found);
-        hostIds = grown(hostIds, Integer.BYTES, found);
-        hostPlaces = grown(hostPlaces, PLACE_BYTES, found);
+        ids.ensureRoomy((long) Integer.BYTES * found);
+        places.ensureRoomy((long) PLACE_BYTES * found);
+        hostIds.ensure((long) Integer.BYTES * found);
+        hostPlaces.ensure((long) PLACE_BYTES * found);
     }
 
     private void read(int found, boolean withPlaces) {
-        ids.read(0, hostIds, 0, (long) Integer.BYTES * found);
+        ids.get().read(0, hostIds.get(), 0, (long) Integer.BYTES * found);
         if (withPlaces) {
-            places.read(0, hostPlaces, 0, (long) PLACE_BYTES * found);
+            places.get().read(0, hostPlaces.get(), 0, (long) PLACE_BYTES * found);
         }
-    }
-
-    private DeviceBuffer grown(DeviceBuffer held, String name, long elementBytes, long elements) {
-        return DeviceTree.grown(session, held, name, elementBytes * elements);
-    }
-
-    private HostBuffer grown(HostBuffer held, long elementBytes, long elements) {
-        long bytes = elementBytes * elements;
-        if (held != null && held.size() >= bytes) {
-            return held;
-        }
-        HostBuffer larger = session.hostBuffer(bytes + (bytes >> 1));
-        if (held != null) {
-            held.close();
-        }
-        return larger;
     }
 
     @Override
     public int id(int k) {
-        return hostIds.ints().get(k);
+        return hostIds.get().ints().get(k);
     }
 
     @Override
     public double distance(int k) {
-        return hostPlaces.bytes().getDouble(PLACE_BYTES * k);
+        return hostPlaces.get().bytes().getDouble(PLACE_BYTES * k);
     }
 
     @Override
     public float x(int k) {
-        return hostPlaces.bytes().getFloat(PLACE_BYTES * k + AT_X);
+        return hostPlaces.get().bytes().getFloat(PLACE_BYTES * k + AT_X);
     }
 
     @Override
     public float y(int k) {
-        return hostPlaces.bytes().getFloat(PLACE_BYTES * k + AT_Y);
+        return hostPlaces.get().bytes().getFloat(PLACE_BYTES * k + AT_Y);
     }
 }

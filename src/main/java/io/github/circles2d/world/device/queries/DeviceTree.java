@@ -33,9 +33,7 @@ final class DeviceTree {
 
     private static final int EXTENT_ITEMS = 1 << 14;
     private static final long ROW_BYTES = 4L * Float.BYTES;
-    private static final long LEAST_BYTES = 1024;
 
-    private final Session session;
     private final DeviceArrays arrays;
     private final Scan scan;
     private final Kernel measure;
@@ -49,19 +47,18 @@ final class DeviceTree {
     private final int[] shape = new int[1 + 2 * LEVELS];
 
     private int circles;
-    private DeviceBuffer extentOf;
-    private DeviceBuffer shapeOf;
-    private DeviceBuffer cellOf;
-    private DeviceBuffer rank;
-    private DeviceBuffer counts;
-    private DeviceBuffer starts;
-    private DeviceBuffer blockSums;
-    private DeviceBuffer circle;
-    private DeviceBuffer id;
-    private DeviceBuffer box;
+    private final DeviceBuffer extentOf;
+    private final DeviceBuffer shapeOf;
+    private final GrownBuffer cellOf;
+    private final GrownBuffer rank;
+    private final GrownBuffer counts;
+    private final GrownBuffer starts;
+    private final GrownBuffer blockSums;
+    private final GrownBuffer circle;
+    private final GrownBuffer id;
+    private final GrownBuffer box;
 
     DeviceTree(Session session, StageKernels kernels, DeviceArrays arrays) {
-        this.session = session;
         this.arrays = arrays;
         scan = new Scan(kernels);
         measure = kernels.plain("queries_extent");
@@ -69,6 +66,14 @@ final class DeviceTree {
         place = kernels.plain("queries_place");
         boxCircles = kernels.plain("queries_boxCircles");
         boxBoxes = kernels.plain("queries_boxBoxes");
+        cellOf = new GrownBuffer(session, "cells of circles");
+        rank = new GrownBuffer(session, "ranks in cells");
+        counts = new GrownBuffer(session, "circles in cells");
+        starts = new GrownBuffer(session, "starts of cells");
+        blockSums = new GrownBuffer(session, "sums of cells");
+        circle = new GrownBuffer(session, "circles of the tree");
+        id = new GrownBuffer(session, "ids of the tree");
+        box = new GrownBuffer(session, "boxes of the tree");
         extentOf = session.allocate("extent", (long) Integer.BYTES * EXTENT_WORDS);
         shapeOf = session.allocate("shape of the tree", (long) Integer.BYTES * shape.length);
     }
@@ -96,25 +101,30 @@ final class DeviceTree {
         atHome(tally, slots)
                 .arg(3, bits)
                 .arg(4, extentOf)
-                .arg(5, cellOf)
-                .arg(6, rank)
-                .arg(7, counts)
+                .arg(5, cellOf.get())
+                .arg(6, rank.get())
+                .arg(7, counts.get())
                 .run(slots);
-        scan.run(counts, cells(bits), blockSums, starts, arrays.get(DeviceArray.STATUS));
+        scan.run(counts.get(), cells(bits), blockSums.get(), starts.get(), arrays.get(DeviceArray.STATUS));
         extentOf.read(IntBuffer.wrap(extent));
         if (extent[CROWDED] != 0) {
             return false;
         }
         atHome(place, slots)
-                .arg(3, cellOf)
-                .arg(4, rank)
-                .arg(5, starts)
-                .arg(6, circle)
-                .arg(7, id)
+                .arg(3, cellOf.get())
+                .arg(4, rank.get())
+                .arg(5, starts.get())
+                .arg(6, circle.get())
+                .arg(7, id.get())
                 .run(slots);
-        boxCircles.arg(0, circle).arg(1, size).arg(2, boxes(0)).arg(3, box).run(boxes(0));
+        boxCircles
+                .arg(0, circle.get())
+                .arg(1, size)
+                .arg(2, boxes(0))
+                .arg(3, box.get())
+                .run(boxes(0));
         for (int level = 1; level <= shape[0]; level++) {
-            boxBoxes.arg(0, box)
+            boxBoxes.arg(0, box.get())
                     .arg(1, start(level - 1))
                     .arg(2, boxes(level - 1))
                     .arg(3, start(level))
@@ -132,7 +142,11 @@ final class DeviceTree {
 
     /** Sets the arguments of a search that tell of the tree: the first five. */
     Kernel bind(Kernel search) {
-        return search.arg(0, circle).arg(1, id).arg(2, box).arg(3, shapeOf).arg(4, circles);
+        return search.arg(0, circle.get())
+                .arg(1, id.get())
+                .arg(2, box.get())
+                .arg(3, shapeOf)
+                .arg(4, circles);
     }
 
     /** Bits of a column or a row, with which there are about as many cells as circles, and up to four times as many. */
@@ -159,17 +173,17 @@ final class DeviceTree {
     private void makeRoom(int slots, int bits) {
         int boxes = layOut();
         shapeOf.write(0, IntBuffer.wrap(shape));
-        cellOf = grown(cellOf, "cells of circles", (long) Integer.BYTES * slots);
-        rank = grown(rank, "ranks in cells", (long) Integer.BYTES * slots);
-        circle = grown(circle, "circles of the tree", ROW_BYTES * circles);
-        id = grown(id, "ids of the tree", (long) Integer.BYTES * circles);
-        box = grown(box, "boxes of the tree", ROW_BYTES * boxes);
+        cellOf.ensureRoomy((long) Integer.BYTES * slots);
+        rank.ensureRoomy((long) Integer.BYTES * slots);
+        circle.ensureRoomy(ROW_BYTES * circles);
+        id.ensureRoomy((long) Integer.BYTES * circles);
+        box.ensureRoomy(ROW_BYTES * boxes);
         int elements = Scan.padded(cells(bits));
-        starts = grown(starts, "starts of cells", (long) Integer.BYTES * elements);
-        blockSums = grown(blockSums, "sums of cells", (long) Integer.BYTES * Scan.blocks(elements));
-        if (counts == null || counts.bytes() < (long) Integer.BYTES * elements) {
-            counts = grown(counts, "circles in cells", (long) Integer.BYTES * elements);
-            counts.write(0, IntBuffer.wrap(new int[(int) (counts.bytes() / Integer.BYTES)]));
+        starts.ensureRoomy((long) Integer.BYTES * elements);
+        blockSums.ensureRoomy((long) Integer.BYTES * Scan.blocks(elements));
+        if (!counts.has((long) Integer.BYTES * elements)) {
+            DeviceBuffer zeros = counts.ensureRoomy((long) Integer.BYTES * elements);
+            zeros.write(0, IntBuffer.wrap(new int[(int) (zeros.bytes() / Integer.BYTES)]));
         }
     }
 
@@ -189,15 +203,5 @@ final class DeviceTree {
             count = (count + CircleTree.BOXES_A_BOX - 1) / CircleTree.BOXES_A_BOX;
             level++;
         }
-    }
-
-    private DeviceBuffer grown(DeviceBuffer held, String name, long bytes) {
-        return grown(session, held, name, bytes);
-    }
-
-    /** A buffer with room for so many bytes, and for some growth; what was held is given back if it is too small. */
-    static DeviceBuffer grown(Session session, DeviceBuffer held, String name, long bytes) {
-        long roomy = Math.max(LEAST_BYTES, (bytes + (bytes >> 1)) & -ROW_BYTES);
-        return GrownBuffer.of(session, name, held, bytes, roomy);
     }
 }

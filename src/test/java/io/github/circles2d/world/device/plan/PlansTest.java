@@ -122,10 +122,10 @@ class PlansTest {
     void tilesThatNeverDoAreGivenUpForAWhile(Device device) {
         List<Plan> plans = Plans.PERSISTENT_GPU.of(device);
         Steps steps = steps(1, 1000, false);
-        plans.forEach(plan -> plan.learn(new TileUse(Integer.MAX_VALUE, 0, false), false));
+        plans.forEach(plan -> plan.learn(new Plan.TileUse(Integer.MAX_VALUE, 0, false), false));
         int looks = 0;
         while (Plans.first(plans, steps) instanceof ByColours) {
-            plans.forEach(plan -> plan.learn(new TileUse(0, 0, false), false));
+            plans.forEach(plan -> plan.learn(new Plan.TileUse(0, 0, false), false));
             looks++;
         }
         assertThat(looks).isEqualTo(16);

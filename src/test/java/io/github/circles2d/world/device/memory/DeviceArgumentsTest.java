@@ -2,18 +2,23 @@ package io.github.circles2d.world.device.memory;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.opencl.ReachableNames;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
 import io.github.circles2d.world.device.plan.Plans;
 import java.util.BitSet;
 import org.junit.jupiter.api.Test;
 
 /** The tests of all plans show that no buffer is missing, since a kernel would read nothing there; here is what is left out. */
-class UsedArgumentsTest {
-    private final UsedArguments used = new UsedArguments(UsedArguments.names(Plans.source(Plans.all())));
+class DeviceArgumentsTest {
+    private final ReachableNames names = DeviceArguments.names(Plans.source(Plans.all()));
+
+    private BitSet used(String kernel) {
+        return DeviceArguments.used(names, kernel);
+    }
 
     @Test
     void aKernelUsesTheBuffersOfArraysThatItsTextNames() {
-        BitSet buffers = used.of("grid_count");
+        BitSet buffers = used("grid_count");
         assertThat(buffers.get(DeviceArguments.position(DeviceArray.CONSTANTS))).isTrue();
         assertThat(buffers.get(DeviceArguments.position(DeviceArray.HOME_CIRCLE)))
                 .isTrue();
@@ -26,9 +31,9 @@ class UsedArgumentsTest {
     void tablesOfTerrainAndJointsLieInThatOfKinds() {
         assertThat(DeviceArguments.position(DeviceArray.TERRAIN))
                 .isEqualTo(DeviceArguments.position(DeviceArray.KIND_MOTION));
-        assertThat(used.of("pieces_find").get(DeviceArguments.position(DeviceArray.TERRAIN)))
+        assertThat(used("pieces_find").get(DeviceArguments.position(DeviceArray.TERRAIN)))
                 .isTrue();
-        assertThat(used.of("joints_begin").get(DeviceArguments.position(DeviceArray.JOINTS)))
+        assertThat(used("joints_begin").get(DeviceArguments.position(DeviceArray.JOINTS)))
                 .isTrue();
     }
 
@@ -37,7 +42,7 @@ class UsedArgumentsTest {
     void mostKernelsUseFewBuffers() {
         for (String kernel :
                 new String[] {"grid_count", "grid_scatter", "contacts_cutTiles", "contacts_list", "contacts_link"}) {
-            assertThat(used.of(kernel).cardinality()).as(kernel).isLessThan(DeviceArguments.COUNT / 2);
+            assertThat(used(kernel).cardinality()).as(kernel).isLessThan(DeviceArguments.COUNT / 2);
         }
     }
 }
