@@ -62,14 +62,12 @@ final class HostWaking implements WakingByBodies.Circles {
         count = 0;
         bodies.begin(step, k);
         for (int c = bodies.first(); c < bodies.count(); c++) {
-            int slot = state.slotOf[bodies.circle(c)];
+            bodies.show(c);
+            int slot = state.slotOf[bodies.circle()];
             if (slot >= state.awake) {
                 int at = look(slot);
-                float j = bodies.impulse(c);
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, bodies.grip(c), 0f);
-                float v = bodies.approach(c);
-                float hit = sums.hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j);
-                speed[at] = CircleMath.max(speed[at], hit);
+                sums.press(slot, bodies, 1f);
+                speed[at] = CircleMath.max(speed[at], sums.hit(slot, bodies));
             }
         }
         for (int slot = state.awake; slot < state.n; slot++) {
@@ -106,11 +104,8 @@ final class HostWaking implements WakingByBodies.Circles {
     private void pressByResting(int slot) {
         for (int e = bodies.firstOf(state.id[slot]); e >= 0; e = bodies.next(e)) {
             look(slot);
-            int c = bodies.measure(e);
-            if (c >= 0) {
-                float j = bodies.impulse(c) * k.warmScale;
-                float f = bodies.grip(c) * k.warmScale;
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, f, 0f);
+            if (bodies.measure(e)) {
+                sums.press(slot, bodies, k.warmScale);
             }
         }
     }

@@ -24,12 +24,11 @@ final class RigidJointVisits extends VisitedJoint {
     /** Of a determinant, by the square of the trace: less is rounding, and the place moves along one line alone. */
     private static final float LEAST_DETERMINANT = 1e-6f;
 
-    private final RigidJointEnds ends;
-
     // ---- of the visit
 
-    private int a;
-    private int b;
+    private RigidJoint joint;
+    private RigidJointEnd a;
+    private RigidJointEnd b;
 
     /** How far B is from A. */
     private float x;
@@ -55,17 +54,13 @@ final class RigidJointVisits extends VisitedJoint {
     private float solvedX;
     private float solvedY;
 
-    RigidJointVisits(RigidJointEnds ends) {
-        this.ends = ends;
-    }
-
     // ---- what it is
 
-    /** Takes a joint, whose ends are e and the one behind it. */
-    void take(int joint, int e) {
-        a = e;
-        b = e + 1;
-        takeJoint(joint);
+    void take(RigidJoint which) {
+        joint = which;
+        a = joint.a;
+        b = joint.b;
+        takeJoint(joint.id);
     }
 
     /** A weld has its place at both ends. */
@@ -89,49 +84,50 @@ final class RigidJointVisits extends VisitedJoint {
 
     // ---- where its ends are, and how they move
 
-    /** Measures at a boundary of sub-steps; work: the base, and the normal of the last time. */
-    void measure(int boundary, float[] work, int o) {
-        ends.turn(a);
-        ends.turn(b);
-        x = CircleMath.difference(work[o + RigidJoints.BASE_X], ends.wayX(a, boundary), ends.wayX(b, boundary));
-        y = CircleMath.difference(work[o + RigidJoints.BASE_Y], ends.wayY(a, boundary), ends.wayY(b, boundary));
+    /** Measures at a boundary of sub-steps. */
+    void measure(int boundary) {
+        a.turn();
+        b.turn();
+        x = CircleMath.difference(joint.baseX, a.wayX(boundary), b.wayX(boundary));
+        y = CircleMath.difference(joint.baseY, a.wayY(boundary), b.wayY(boundary));
         strain = 0f;
         if (isPoint()) {
             strain = has(JointRow.RIGID) ? CircleMath.length(x, y) : 0f;
             if (has(JointRow.RIGID)) {
-                ends.meet(a, x, y);
+                b.meet(a, x, y);
+                a.meet(b, -x, -y);
             }
         } else if (isAxial()) {
-            measureLine(work, o);
+            measureLine();
         }
     }
 
-    private void measureLine(float[] work, int o) {
+    private void measureLine() {
         float d = CircleMath.length(x, y);
         if (d > 0f) {
-            work[o + RigidJoints.NORMAL_X] = x / d;
-            work[o + RigidJoints.NORMAL_Y] = y / d;
+            joint.normalX = x / d;
+            joint.normalY = y / d;
         }
-        work[o + RigidJoints.DISTANCE] = d;
+        joint.distance = d;
         strain = strain(d);
     }
 
     private void look(int boundary) {
-        vx = ends.vx(b, boundary) - ends.vx(a, boundary);
-        vy = ends.vy(b, boundary) - ends.vy(a, boundary);
-        float ax = ends.arm[0][a];
-        float ay = ends.arm[1][a];
-        float bx = ends.arm[0][b];
-        float by = ends.arm[1][b];
-        float w = ends.ownW[a] + ends.ownW[b];
-        kxx = w + (ends.ownI[a] * (ay * ay) + ends.ownI[b] * (by * by));
-        kxy = -1f * (ends.ownI[a] * (ax * ay) + ends.ownI[b] * (bx * by));
-        kyy = w + (ends.ownI[a] * (ax * ax) + ends.ownI[b] * (bx * bx));
+        vx = b.vx(boundary) - a.vx(boundary);
+        vy = b.vy(boundary) - a.vy(boundary);
+        float ax = a.armX;
+        float ay = a.armY;
+        float bx = b.armX;
+        float by = b.armY;
+        float w = a.ownW + b.ownW;
+        kxx = w + (a.ownI * (ay * ay) + b.ownI * (by * by));
+        kxy = -1f * (a.ownI * (ax * ay) + b.ownI * (bx * by));
+        kyy = w + (a.ownI * (ax * ax) + b.ownI * (bx * bx));
     }
 
     private void lookBack(int boundary) {
-        begunX = ends.begunX(b, boundary) - ends.begunX(a, boundary);
-        begunY = ends.begunY(b, boundary) - ends.begunY(a, boundary);
+        begunX = b.begunX(boundary) - a.begunX(boundary);
+        begunY = b.begunY(boundary) - a.begunY(boundary);
     }
 
     /** Finds the impulse that changes the velocity of B against A by so much. */
@@ -164,12 +160,12 @@ final class RigidJointVisits extends VisitedJoint {
     }
 
     /** All impulses that the joint keeps, as what is to be given. */
-    void all(float[] work, int o) {
+    void all() {
         float[] q = states.rows;
         if (isAxial()) {
             float along = (q[kept + AXIAL] + q[kept + LOWER]) - q[kept + UPPER];
-            pushX = work[o + RigidJoints.NORMAL_X] * along;
-            pushY = work[o + RigidJoints.NORMAL_Y] * along;
+            pushX = joint.normalX * along;
+            pushY = joint.normalY * along;
         } else {
             pushX = q[kept + AXIAL];
             pushY = q[kept + ACROSS];
@@ -178,19 +174,19 @@ final class RigidJointVisits extends VisitedJoint {
     }
 
     void give() {
-        ends.push(a, -1f * pushX, -1f * pushY, twist);
-        ends.push(b, pushX, pushY, -1f * twist);
+        a.push(-1f * pushX, -1f * pushY, twist);
+        b.push(pushX, pushY, -1f * twist);
     }
 
     void giveToBodies() {
-        ends.pushBody(a, -1f * pushX, -1f * pushY, twist);
-        ends.pushBody(b, pushX, pushY, -1f * twist);
+        a.pushBody(-1f * pushX, -1f * pushY, twist);
+        b.pushBody(pushX, pushY, -1f * twist);
     }
 
     /** Circles begin the next sub-step with it. */
     void giveNext() {
-        ends.pushNext(a, -1f * pushX, -1f * pushY, twist, strain);
-        ends.pushNext(b, pushX, pushY, -1f * twist, strain);
+        a.pushNext(-1f * pushX, -1f * pushY, twist, strain);
+        b.pushNext(pushX, pushY, -1f * twist, strain);
     }
 
     void addToSums() {
@@ -200,7 +196,7 @@ final class RigidJointVisits extends VisitedJoint {
     // ---- the biased pass
 
     /** With bias; the joint has been measured. */
-    void solve(int sub, float[] work, int o) {
+    void solve(int sub) {
         clear();
         if (angular() != 0 && angular() != JointRow.TURN_SPEED) {
             twist = solveTurning(isExact(JointRow.TURN_ANGLE), turnMass(), omega(), away());
@@ -211,9 +207,9 @@ final class RigidJointVisits extends VisitedJoint {
             lookBack(sub);
         }
         if (isAxial()) {
-            solveLine(true, work, o);
+            solveLine(true);
         } else if (isPoint()) {
-            solvePoint(work, o);
+            solvePoint();
         }
         give();
     }
@@ -221,36 +217,36 @@ final class RigidJointVisits extends VisitedJoint {
     /** Gives what turns at once, since the rest sees it. */
     private void giveTwist() {
         if (twist != 0f) {
-            ends.push(a, 0f, 0f, twist);
-            ends.push(b, 0f, 0f, -1f * twist);
+            a.push(0f, 0f, twist);
+            b.push(0f, 0f, -1f * twist);
             twist = 0f;
         }
     }
 
     private float turnMass() {
-        return JointMath.jointMass(ends.ownI[a] + ends.ownI[b]);
+        return JointMath.jointMass(a.ownI + b.ownI);
     }
 
     private float omega() {
-        return ends.omega(a) - ends.omega(b);
+        return a.omega() - b.omega();
     }
 
     private float away() {
-        return turnedAway(ends.angle(a), ends.turned(a), ends.angle(b), ends.turned(b));
+        return turnedAway(a.angle(), a.turned(), b.angle(), b.turned());
     }
 
-    private void solveLine(boolean biased, float[] work, int o) {
-        float nx = work[o + RigidJoints.NORMAL_X];
-        float ny = work[o + RigidJoints.NORMAL_Y];
-        float d = work[o + RigidJoints.DISTANCE];
+    private void solveLine(boolean biased) {
+        float nx = joint.normalX;
+        float ny = joint.normalY;
+        float d = joint.distance;
         inverse = inverseAlong(nx, ny);
         mass = JointMath.jointMass(inverse);
-        float sum = along(biased, isExact(0), mass, nx, ny, d, work[o + RigidJoints.PUSH]);
+        float sum = along(biased, isExact(0), mass, nx, ny, d, joint.push);
         pushX = nx * sum;
         pushY = ny * sum;
     }
 
-    private void solvePoint(float[] work, int o) {
+    private void solvePoint() {
         float[] q = states.rows;
         if (isExact(0)) {
             float now = ofSpring(JointSpring.NOW);
@@ -271,7 +267,7 @@ final class RigidJointVisits extends VisitedJoint {
         float massScale = rigid ? soft.massScale : ofSpring(JointSpring.MASS_SCALE);
         float rate = rigid ? soft.biasRate : ofSpring(JointSpring.BIAS_RATE);
         float impulseScale = rigid ? soft.impulseScale : ofSpring(JointSpring.IMPULSE_SCALE);
-        float share = rigid ? Velocity.shareWithin(rate * x, rate * y, work[o + RigidJoints.PUSH]) : 1f;
+        float share = rigid ? Velocity.shareWithin(rate * x, rate * y, joint.push) : 1f;
         solve(massScale * (vx + share * (rate * x)), massScale * (vy + share * (rate * y)));
         accumulate(impulseScale);
     }
@@ -293,7 +289,7 @@ final class RigidJointVisits extends VisitedJoint {
     // ---- the relaxing pass
 
     /** Without bias; the joint has been measured. */
-    void relax(int sub, float[] work, int o) {
+    void relax(int sub) {
         clear();
         if (relaxesTurning()) {
             twist = relaxTurning(turnMass(), omega());
@@ -301,7 +297,7 @@ final class RigidJointVisits extends VisitedJoint {
         }
         look(sub + 1);
         if (isAxial()) {
-            solveLine(false, work, o);
+            solveLine(false);
         } else if (linear() == JointRow.DRAG || isPoint() && has(JointRow.RIGID)) {
             solve(vx, vy);
             accumulate(0f);

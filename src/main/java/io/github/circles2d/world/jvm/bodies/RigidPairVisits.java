@@ -5,60 +5,46 @@ import io.github.circles2d.world.model.Velocity;
 
 /**
  * Visits of pairs whose contacts neither bounce nor resist rolling, while {@link RigidVisits#areFixed}. The velocities of both things are in local
- * variables as long as a pair is visited, those of A and B of its first contact; contacts the other way round have their terms swapped, which
+ * variables as long as a pair is visited; contacts the other way round have their terms swapped, which
  * changes no bit then. Each pass has a loop: one for both took two percent more of a pyramid's step.
  */
 final class RigidPairVisits {
-    /** Floats from the arm of A to that of B. */
-    private static final int SWAP = RigidRow.BX - RigidRow.AX;
-
     private final RigidContacts contacts;
-    private final RigidThings things;
     private final RigidRules rules;
 
-    RigidPairVisits(RigidContacts contacts, RigidThings things, RigidRules rules) {
+    RigidPairVisits(RigidContacts contacts, RigidRules rules) {
         this.contacts = contacts;
-        this.things = things;
         this.rules = rules;
     }
 
-    /** Whether no contact of a pair resists rolling. */
-    boolean has(int begin, int end) {
-        boolean plain = true;
-        for (int c = begin; c < end; c++) {
-            plain &= !(things.rolling[contacts.a[c]] > 0f || things.rolling[contacts.b[c]] > 0f);
-        }
-        return plain;
-    }
-
     /** Visits the contacts of a pair that neither bounces nor is hit. */
-    void solve(int begin, int end) {
-        float[] rows = contacts.rows;
-        int a = contacts.a[begin];
-        int b = contacts.b[begin];
-        float ax = things.vx[a];
-        float ay = things.vy[a];
-        float aSpin = things.omega[a];
-        float bx = things.vx[b];
-        float by = things.vy[b];
-        float bSpin = things.omega[b];
-        float aw = things.w[a];
-        float ai = things.i[a];
-        float bw = things.w[b];
-        float bi = things.i[b];
-        for (int c = begin; c < end; c++) {
-            int row = RigidRow.of(c);
-            int swap = contacts.a[c] == a ? 0 : SWAP;
-            float side = swap == 0 ? 1f : -1f;
-            float nx = side * rows[row + RigidRow.NX];
-            float ny = side * rows[row + RigidRow.NY];
-            float armX = rows[row + RigidRow.AX + swap];
-            float armY = rows[row + RigidRow.AY + swap];
-            float itsX = rows[row + RigidRow.BX - swap];
-            float itsY = rows[row + RigidRow.BY - swap];
+    void solve(RigidPair pair) {
+        RigidContact[] all = contacts.all;
+        RigidThing a = pair.a;
+        RigidThing b = pair.b;
+        float ax = a.vx;
+        float ay = a.vy;
+        float aSpin = a.omega;
+        float bx = b.vx;
+        float by = b.vy;
+        float bSpin = b.omega;
+        float aw = a.w;
+        float ai = a.i;
+        float bw = b.w;
+        float bi = b.i;
+        for (int n = pair.begin; n < pair.end; n++) {
+            RigidContact c = all[n];
+            boolean same = c.a == a;
+            float side = same ? 1f : -1f;
+            float nx = side * c.nx;
+            float ny = side * c.ny;
+            float armX = same ? c.ax : c.bx;
+            float armY = same ? c.ay : c.by;
+            float itsX = same ? c.bx : c.ax;
+            float itsY = same ? c.by : c.ay;
             float vn =
                     ((ax - aSpin * armY) - (bx - bSpin * itsY)) * nx + ((ay + aSpin * armX) - (by + bSpin * itsX)) * ny;
-            float gain = rules.solvedNormal(row, vn);
+            float gain = rules.solvedNormal(c, vn);
             float x = nx * gain;
             float y = ny * gain;
             ax += aw * x;
@@ -81,34 +67,34 @@ final class RigidPairVisits {
     }
 
     /** Behind each normal all frictions of the pair. */
-    void relax(int begin, int end) {
-        float[] rows = contacts.rows;
-        int a = contacts.a[begin];
-        int b = contacts.b[begin];
-        float ax = things.vx[a];
-        float ay = things.vy[a];
-        float aSpin = things.omega[a];
-        float bx = things.vx[b];
-        float by = things.vy[b];
-        float bSpin = things.omega[b];
-        float aw = things.w[a];
-        float ai = things.i[a];
-        float bw = things.w[b];
-        float bi = things.i[b];
+    void relax(RigidPair pair) {
+        RigidContact[] all = contacts.all;
+        RigidThing a = pair.a;
+        RigidThing b = pair.b;
+        float ax = a.vx;
+        float ay = a.vy;
+        float aSpin = a.omega;
+        float bx = b.vx;
+        float by = b.vy;
+        float bSpin = b.omega;
+        float aw = a.w;
+        float ai = a.i;
+        float bw = b.w;
+        float bi = b.i;
+        int begin = pair.begin;
         int normal = begin;
         int grip = begin - 1; // before the first: the normal
-        while (normal < end) {
-            int c = grip < begin ? normal : grip;
-            int row = RigidRow.of(c);
-            if (grip < begin ? !rules.isIdle(row) : rules.grips(row)) {
-                int swap = contacts.a[c] == a ? 0 : SWAP;
-                float side = swap == 0 ? 1f : -1f;
-                float nx = side * rows[row + RigidRow.NX];
-                float ny = side * rows[row + RigidRow.NY];
-                float armX = rows[row + RigidRow.AX + swap];
-                float armY = rows[row + RigidRow.AY + swap];
-                float itsX = rows[row + RigidRow.BX - swap];
-                float itsY = rows[row + RigidRow.BY - swap];
+        while (normal < pair.end) {
+            RigidContact c = all[grip < begin ? normal : grip];
+            if (grip < begin ? !c.isIdle() : c.grips()) {
+                boolean same = c.a == a;
+                float side = same ? 1f : -1f;
+                float nx = side * c.nx;
+                float ny = side * c.ny;
+                float armX = same ? c.ax : c.bx;
+                float armY = same ? c.ay : c.by;
+                float itsX = same ? c.bx : c.ax;
+                float itsY = same ? c.by : c.ay;
                 float ux = (ax - aSpin * armY) - (bx - bSpin * itsY);
                 float uy = (ay + aSpin * armX) - (by + bSpin * itsX);
                 float x;
@@ -116,13 +102,11 @@ final class RigidPairVisits {
                 float gain;
                 if (grip < begin) {
                     float vn = ux * nx + uy * ny;
-                    gain = rules.bouncesLater(c, vn)
-                            ? 0f
-                            : rules.relaxedNormal(row, rows[row + RigidRow.NORMAL_MASS], vn);
+                    gain = rules.bouncesLater(c, vn) ? 0f : rules.relaxedNormal(c, c.normalMass, vn);
                     x = nx * gain;
                     y = ny * gain;
                 } else {
-                    gain = rules.gripped(row, rows[row + RigidRow.TANGENT_MASS], uy * nx - ux * ny);
+                    gain = rules.gripped(c, c.tangentMass, uy * nx - ux * ny);
                     x = -ny * gain;
                     y = nx * gain;
                 }
@@ -141,7 +125,7 @@ final class RigidPairVisits {
                     bSpin = Velocity.limitSpeed(bSpin);
                 }
             }
-            if (++grip == end) {
+            if (++grip == pair.end) {
                 grip = begin - 1;
                 normal++;
             }
@@ -156,11 +140,11 @@ final class RigidPairVisits {
                 <= Tuning.GREATEST_SPEED);
     }
 
-    private void put(int t, float x, float y, float spin) {
-        if (things.gives(t)) { // what does not may be in other pairs at the same time
-            things.vx[t] = x;
-            things.vy[t] = y;
-            things.omega[t] = spin;
+    private static void put(RigidThing t, float x, float y, float spin) {
+        if (t.gives()) { // what does not may be in other pairs at the same time
+            t.vx = x;
+            t.vy = y;
+            t.omega = spin;
         }
     }
 }
