@@ -104,7 +104,6 @@ final class BodyShape extends ThingShape {
     }
 
     // ---- overlaps
-    // ----------------------------------------------------------------------------------------------------
 
     @Override
     boolean overlapsDisc(double px, double py, double radius) {
@@ -152,7 +151,6 @@ final class BodyShape extends ThingShape {
     }
 
     // ---- the nearest
-    // -------------------------------------------------------------------------------------------------
 
     @Override
     double distance(double px, double py) {
@@ -187,7 +185,6 @@ final class BodyShape extends ThingShape {
     }
 
     // ---- casts
-    // -------------------------------------------------------------------------------------------------------
 
     @Override
     double castDistance(double px, double py, double radius, double ux, double uy, double most) {
@@ -210,7 +207,6 @@ final class BodyShape extends ThingShape {
     }
 
     // ---- normals
-    // -----------------------------------------------------------------------------------------------------
 
     /** The normal leads out of the body. */
     @Override

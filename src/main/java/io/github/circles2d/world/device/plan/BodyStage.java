@@ -7,6 +7,7 @@ import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.BodyArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.jvm.HostBodies;
+import io.github.circles2d.world.jvm.HostWaking;
 import io.github.circles2d.world.model.Sleep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -67,12 +68,12 @@ final class BodyStage {
                 .define("BODY_NEAR_WORDS", HostBodies.NEAR_WORDS)
                 .define("BODY_SENSED_WORDS", HostBodies.SENSED_WORDS)
                 .define("BODY_SLEEPERS", SLEEPERS)
-                .define("BODY_SLEEPER_WORDS", HostBodies.SLEEPER_WORDS)
-                .define("SLEEPER_SLOT", HostBodies.SLEEPER_SLOT)
-                .define("SLEEPER_SPEED", HostBodies.SLEEPER_SPEED)
-                .define("SLEEPER_WOKEN_BY", HostBodies.SLEEPER_WOKEN_BY)
-                .define("SLEEPER_PRESSING", HostBodies.SLEEPER_PRESSING)
-                .define("SLEEPER_SUMS", HostBodies.SLEEPER_SUMS)
+                .define("BODY_SLEEPER_WORDS", HostWaking.SLEEPER_WORDS)
+                .define("SLEEPER_SLOT", HostWaking.SLEEPER_SLOT)
+                .define("SLEEPER_SPEED", HostWaking.SLEEPER_SPEED)
+                .define("SLEEPER_WOKEN_BY", HostWaking.SLEEPER_WOKEN_BY)
+                .define("SLEEPER_PRESSING", HostWaking.SLEEPER_PRESSING)
+                .define("SLEEPER_SUMS", HostWaking.SLEEPER_SUMS)
                 .define("BODY_ROW_WORDS", HostBodies.ROW_WORDS);
     }
 
@@ -99,7 +100,7 @@ final class BodyStage {
         }
         boolean goesOn = findContacts(warmScale, circles);
         if (!goesOn) {
-            bodies.undoWaking();
+            bodies.waking.undo();
         }
         return goesOn;
     }
@@ -157,7 +158,6 @@ final class BodyStage {
     }
 
     // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     boolean areIdle() {
         return bodies.areIdle();
@@ -174,9 +174,9 @@ final class BodyStage {
             return;
         }
         bodies.beginWaking();
-        int sleepers = circlesSleep ? bodies.sleepers() : 0;
+        int sleepers = circlesSleep ? bodies.waking.count() : 0;
         if (sleepers > 0) {
-            arrays.ensureSleepers(bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+            arrays.ensureSleepers(bytes(SLEEPERS + (long) HostWaking.SLEEPER_WORDS * sleepers));
             bodies.putSleepers(arrays.host().ints(), SLEEPERS);
             sendSleepers(sleepers);
         }
@@ -189,11 +189,9 @@ final class BodyStage {
             if (circlesSleep) {
                 sleep.spread(1, Sleep.RINGS, 0);
             }
-            for (int ring = 1; ring < Sleep.RINGS && bodies.hasRing(); ring++) {
-                bodies.passOn(ring);
-            }
+            bodies.waking.passOnAlone();
         }
-        bodies.endWaking();
+        bodies.waking.end();
         if (circlesSleep) {
             sleep.keep(circles);
         }
@@ -202,9 +200,9 @@ final class BodyStage {
     private void spread(SleepStage sleep, int sleepers) {
         sleep.spread(1, 1, sleepers);
         int woken = receiveSleepers(sleepers, 0);
-        for (int ring = 1; ring < Sleep.RINGS && (woken > 0 || bodies.hasRing()); ring++) {
-            bodies.passOn(ring);
-            bodies.putReached(arrays.host().ints(), SLEEPERS);
+        for (int ring = 1; ring < Sleep.RINGS && (woken > 0 || bodies.waking.hasRing()); ring++) {
+            bodies.waking.passOn(ring);
+            bodies.waking.putReached(arrays.host().ints(), SLEEPERS);
             sendSleepers(sleepers);
             sleep.spread(ring, ring + 1, sleepers);
             woken = receiveSleepers(sleepers, ring);
@@ -212,13 +210,13 @@ final class BodyStage {
     }
 
     private void sendSleepers(int sleepers) {
-        arrays.sleepers().write(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+        arrays.sleepers().write(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostWaking.SLEEPER_WORDS * sleepers));
     }
 
     /** Returns how many circles have woken in the ring. */
     private int receiveSleepers(int sleepers, int ring) {
-        arrays.sleepers().read(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
-        bodies.takeWoken(arrays.host().ints(), SLEEPERS, ring);
+        arrays.sleepers().read(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostWaking.SLEEPER_WORDS * sleepers));
+        bodies.waking.take(arrays.host().ints(), SLEEPERS, ring);
         return arrays.host().ints().get(0);
     }
 

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.jvm.bodies;
 
-import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.bodies.KeptContacts;
 
 /** A contact of two things: a corner of A, and a line or a corner of B. */
 final class RigidContact {
@@ -13,7 +13,7 @@ final class RigidContact {
     /** The line of B, or its corner. */
     int feature;
 
-    // as RigidStep keeps them: the form with the feature of the pair's body, and the feature of the other
+    // as KeptContacts has them: the form with the feature of the pair's body, and the feature of the other
     int first;
     int second;
 
@@ -74,7 +74,7 @@ final class RigidContact {
 
     /** Begins without a measure and impulses. */
     void begin(RigidPair pair) {
-        boolean swapped = form() == RigidStep.SWAPPED;
+        boolean swapped = form() == KeptContacts.SWAPPED;
         a = swapped ? pair.b : pair.a;
         b = swapped ? pair.a : pair.b;
         ox = swapped ? -pair.ox : pair.ox;
@@ -94,12 +94,8 @@ final class RigidContact {
         roll = 0f;
     }
 
-    static int form(int first) {
-        return first >> RigidStep.FORM_SHIFT;
-    }
-
     int form() {
-        return form(first);
+        return KeptContacts.form(first);
     }
 
     /** Whether it comes behind another one of its pair. */
@@ -108,7 +104,7 @@ final class RigidContact {
     }
 
     boolean isLine() {
-        return form() != RigidStep.BOTH;
+        return form() != KeptContacts.BOTH;
     }
 
     /** How far the place of A is from that of B. */

@@ -1,9 +1,9 @@
 package io.github.circles2d.world.jvm.bodies;
 
-import static io.github.circles2d.world.bodies.RigidStep.CORNER_ON_LINE;
-import static io.github.circles2d.world.bodies.RigidStep.FEATURE;
-import static io.github.circles2d.world.bodies.RigidStep.SWAPPED;
+import static io.github.circles2d.world.bodies.KeptContacts.CORNER_ON_LINE;
+import static io.github.circles2d.world.bodies.KeptContacts.SWAPPED;
 
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.StepConstants;
@@ -69,8 +69,8 @@ final class RigidContacts {
         if (ofPiece.length < 2 * pieces) {
             ofPiece = new int[2 * pieces];
         }
-        if (used.length < step.contacts) {
-            used = new boolean[step.contactKeys.length / RigidStep.KEYS];
+        if (used.length < step.contacts.count) {
+            used = new boolean[step.contacts.count + (step.contacts.count >> 1)];
         }
         team.together(findFeatures);
         pairCount = 0;
@@ -94,7 +94,7 @@ final class RigidContacts {
 
     private void findFeatures(int worker) {
         RigidFeatures finder = finders[worker];
-        finder.begin(step, k.dt);
+        finder.begin(step.contacts, k.dt);
         for (int round = 0; round < team.rounds(); round++) {
             int piece = 2 * team.piece(worker, round);
             int before = finder.count;
@@ -110,11 +110,11 @@ final class RigidContacts {
         int old = from < to ? firstOld(near.all[from]) : 0;
         for (int p = from; p < to; p++) {
             RigidPair pair = near.all[p];
-            while (old < step.contacts && compare(old, pair) < 0) {
+            while (old < step.contacts.count && compare(old, pair) < 0) {
                 old++;
             }
             pair.firstOld = old;
-            while (old < step.contacts && compare(old, pair) == 0) {
+            while (old < step.contacts.count && compare(old, pair) == 0) {
                 old++;
             }
             pair.endOld = old;
@@ -129,7 +129,7 @@ final class RigidContacts {
     /** The first contact of the step before that is not before a pair. */
     private int firstOld(RigidPair pair) {
         int low = 0;
-        int high = step.contacts;
+        int high = step.contacts.count;
         while (low < high) {
             int middle = low + high >>> 1;
             if (compare(middle, pair) < 0) {
@@ -143,7 +143,7 @@ final class RigidContacts {
 
     /** An old contact and a pair, by their keys. */
     private int compare(int old, RigidPair pair) {
-        return RigidStep.compare(step.contactKeys, RigidStep.KEYS * old, pair.b.type, pair.a.id, pair.b.id);
+        return step.contacts.compare(old, pair.b.type, pair.a.id, pair.b.id);
     }
 
     /** Brings what a worker has found to its place among all. */
@@ -170,26 +170,25 @@ final class RigidContacts {
     }
 
     /** Whether two contacts of a pair share a corner or a line. */
-    private static boolean shareFeature(int first, int second, int otherFirst, int otherSecond) {
-        int form = RigidContact.form(first);
-        int otherForm = RigidContact.form(otherFirst);
-        boolean same = (first & FEATURE) == (otherFirst & FEATURE);
-        return same && (form == SWAPPED) == (otherForm == SWAPPED)
-                || second == otherSecond && (form == CORNER_ON_LINE) == (otherForm == CORNER_ON_LINE);
+    private static boolean shareFeature(int first, int second, RigidContact other) {
+        int form = KeptContacts.form(first);
+        boolean same = KeptContacts.feature(first) == KeptContacts.feature(other.first);
+        return same && (form == SWAPPED) == (other.form() == SWAPPED)
+                || second == other.second && (form == CORNER_ON_LINE) == (other.form() == CORNER_ON_LINE);
     }
 
     // ---- impulses
 
     /** Measures the contacts of a pair, and gives them the impulses of the step before. */
     private void begin(RigidPair pair) {
+        KeptContacts known = step.contacts;
         Arrays.fill(used, pair.firstOld, pair.endOld, false);
         for (int n = pair.begin; n < pair.end; n++) {
             RigidContact c = all[n];
             c.begin(pair);
             measures.measure(c);
             for (int o = pair.firstOld; o < pair.endOld; o++) {
-                int at = RigidStep.KEYS * o + RigidStep.B;
-                if (step.contactKeys[at + 1] == c.first && step.contactKeys[at + 2] == c.second) {
+                if (known.formAndFeature(o) == c.first && known.featureOfB(o) == c.second) {
                     take(c, o);
                 }
             }
@@ -198,10 +197,9 @@ final class RigidContacts {
         for (int n = pair.begin; n < pair.end; n++) {
             RigidContact c = all[n];
             for (int o = pair.firstOld; o < pair.endOld && c.impulse == 0f; o++) {
-                int at = RigidStep.KEYS * o + RigidStep.B;
                 if (!used[o]
-                        && step.contactImpulses[RigidStep.IMPULSES * o + RigidStep.NORMAL] > 0f
-                        && shareFeature(step.contactKeys[at + 1], step.contactKeys[at + 2], c.first, c.second)) {
+                        && known.impulse(o) > 0f
+                        && shareFeature(known.formAndFeature(o), known.featureOfB(o), c)) {
                     take(c, o);
                 }
             }
@@ -209,17 +207,16 @@ final class RigidContacts {
     }
 
     private void take(RigidContact c, int old) {
-        int from = RigidStep.IMPULSES * old + RigidStep.NORMAL;
-        c.impulse = k.warmScale * step.contactImpulses[from];
-        c.grip = k.warmScale * step.contactImpulses[from + 1];
+        c.impulse = k.warmScale * step.contacts.impulse(old);
+        c.grip = k.warmScale * step.contacts.grip(old);
         used[old] = true;
     }
 
     /** Keeps the contacts for the next step, and those of what rests. */
     void keep(RigidResting rests) {
-        step.ensureContacts(count + rests.count);
-        if (rests.count == 0) {
-            step.contacts = count;
+        step.contacts.ensure(count + rests.kept.count);
+        if (rests.kept.count == 0) {
+            step.contacts.count = count;
             team.share(pairCount, 0, keep);
         } else {
             keepAmong(rests);
@@ -227,13 +224,13 @@ final class RigidContacts {
     }
 
     private void keepAmong(RigidResting rests) {
-        step.contacts = 0;
+        step.contacts.count = 0;
         int rest = 0;
         for (int p = 0; p < pairCount; p++) {
             RigidPair pair = pairs[p];
             rest = rests.keepBefore(step, rest, pair.b.type, pair.a.id, pair.b.id);
-            keep(pair, step.contacts);
-            step.contacts += pair.end - pair.begin;
+            keep(pair, step.contacts.count);
+            step.contacts.count += pair.end - pair.begin;
         }
         rests.keepBefore(step, rest, Integer.MAX_VALUE, 0, 0);
     }
@@ -247,43 +244,32 @@ final class RigidContacts {
     /** Keeps the contacts of a pair at a place and behind it. */
     private void keep(RigidPair pair, int place) {
         for (int n = pair.begin; n < pair.end; n++) {
-            int at = RigidStep.KEYS * (place + n - pair.begin);
-            step.contactKeys[at + RigidStep.TYPE] = pair.b.type;
-            step.contactKeys[at + RigidStep.A] = pair.a.id;
-            step.contactKeys[at + RigidStep.B] = pair.b.id;
-            step.contactKeys[at + RigidStep.FORM_AND_FEATURE] = all[n].first;
-            step.contactKeys[at + RigidStep.FEATURE_OF_B] = all[n].second;
-            int to = RigidStep.IMPULSES * (place + n - pair.begin) + RigidStep.NORMAL;
-            step.contactImpulses[to] = all[n].impulse;
-            step.contactImpulses[to + 1] = all[n].grip;
+            RigidContact c = all[n];
+            int to = place + n - pair.begin;
+            step.contacts.set(to, pair.b.type, pair.a.id, pair.b.id, c.first, c.second, c.impulse, c.grip);
         }
     }
 
     /** Measures a contact of the step before that no pair has now; null if a thing has no such feature. It counts until the next call. */
-    RigidContact probe(RigidStep of, int o) {
-        int at = RigidStep.KEYS * o;
-        RigidPair pair = near.probe(
-                of.contactKeys[at + RigidStep.A],
-                of.contactKeys[at + RigidStep.TYPE],
-                of.contactKeys[at + RigidStep.B]);
+    RigidContact probe(KeptContacts of, int o) {
+        RigidPair pair = near.probe(of.a(o), of.type(o), of.b(o));
         RigidContact c = probed;
-        c.first = of.contactKeys[at + RigidStep.FORM_AND_FEATURE];
-        c.second = of.contactKeys[at + RigidStep.FEATURE_OF_B];
+        c.first = of.formAndFeature(o);
+        c.second = of.featureOfB(o);
         boolean swapped = c.form() == SWAPPED;
         boolean line = c.form() == CORNER_ON_LINE;
         int firstOfB = line ? pair.b.firstLine : pair.b.firstCorner;
         if (c.second < 0 || c.second >= (line ? pair.b.endLine : pair.b.endCorner) - firstOfB) {
             return null;
         }
-        int ofA = (swapped ? pair.a.firstLine : pair.a.firstCorner) + (c.first & FEATURE);
+        int ofA = (swapped ? pair.a.firstLine : pair.a.firstCorner) + KeptContacts.feature(c.first);
         int ofB = firstOfB + c.second;
         c.corner = swapped ? ofB : ofA;
         c.feature = swapped ? ofA : ofB;
         c.begin(pair);
         measures.measure(c);
-        int from = RigidStep.IMPULSES * o + RigidStep.NORMAL;
-        c.impulse = of.contactImpulses[from];
-        c.grip = of.contactImpulses[from + 1];
+        c.impulse = of.impulse(o);
+        c.grip = of.grip(o);
         return c;
     }
 

@@ -1,16 +1,16 @@
 package io.github.circles2d.world.jvm.bodies;
 
+import static io.github.circles2d.world.bodies.KeptContacts.BOTH;
+import static io.github.circles2d.world.bodies.KeptContacts.CORNER_ON_LINE;
+import static io.github.circles2d.world.bodies.KeptContacts.SWAPPED;
 import static io.github.circles2d.world.bodies.OutlineShape.BEND;
 import static io.github.circles2d.world.bodies.OutlineShape.LENGTH;
 import static io.github.circles2d.world.bodies.OutlineShape.NX;
 import static io.github.circles2d.world.bodies.OutlineShape.NY;
 import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
 import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
-import static io.github.circles2d.world.bodies.RigidStep.BOTH;
-import static io.github.circles2d.world.bodies.RigidStep.CORNER_ON_LINE;
-import static io.github.circles2d.world.bodies.RigidStep.FORM_SHIFT;
-import static io.github.circles2d.world.bodies.RigidStep.SWAPPED;
 
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.model.CircleMath;
 import java.util.Arrays;
@@ -41,7 +41,7 @@ final class RigidFeatures {
     int count;
 
     // within a step; it has the contacts that pairs had before
-    private RigidStep known;
+    private KeptContacts known;
     private float dt;
 
     // of the thing whose corners meet another one: the pair, where it is, within which angle beyond their cones they
@@ -60,8 +60,8 @@ final class RigidFeatures {
     }
 
     /** Begins a step, in which nothing has been found. */
-    void begin(RigidStep step, float timeStep) {
-        known = step;
+    void begin(KeptContacts ofStepBefore, float timeStep) {
+        known = ofStepBefore;
         dt = timeStep;
         count = 0;
     }
@@ -271,19 +271,16 @@ final class RigidFeatures {
 
     /** Whether a corner of a body had a contact with a line before. */
     private boolean wasThere(int itsCorner, int itsLine) {
-        int itsFirst = swapped ? key(SWAPPED, itsLine) : key(CORNER_ON_LINE, itsCorner);
+        int itsFirst = swapped
+                ? KeptContacts.formAndFeature(SWAPPED, itsLine)
+                : KeptContacts.formAndFeature(CORNER_ON_LINE, itsCorner);
         int itsSecond = swapped ? itsCorner : itsLine;
         for (int o = pair.firstOld; o < pair.endOld; o++) {
-            int at = RigidStep.KEYS * o + RigidStep.B;
-            if (known.contactKeys[at + 1] == itsFirst && known.contactKeys[at + 2] == itsSecond) {
+            if (known.formAndFeature(o) == itsFirst && known.featureOfB(o) == itsSecond) {
                 return true;
             }
         }
         return false;
-    }
-
-    private static int key(int form, int feature) {
-        return form << FORM_SHIFT | feature;
     }
 
     /** Whether the place of the thing is in front of a line. */
@@ -358,7 +355,8 @@ final class RigidFeatures {
         int ofOther = feature - (line ? other.firstLine : other.firstCorner);
         c.corner = corner;
         c.feature = feature;
-        c.first = key(line ? swapped ? SWAPPED : CORNER_ON_LINE : BOTH, swapped ? ofOther : ofCorner);
+        c.first = KeptContacts.formAndFeature(
+                line ? swapped ? SWAPPED : CORNER_ON_LINE : BOTH, swapped ? ofOther : ofCorner);
         c.second = swapped ? ofCorner : ofOther;
     }
 

@@ -375,7 +375,7 @@ public final class RigidPasses {
         }
         if (!allRest) {
             contacts.keep(resting);
-            resting.publish(step);
+            step.resting = resting.kept;
             tell();
         }
     }

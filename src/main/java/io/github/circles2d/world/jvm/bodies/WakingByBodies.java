@@ -104,7 +104,7 @@ public final class WakingByBodies {
 
     /** Looks at the contact of an entry, as it is now; false if it is none any more. */
     public boolean measure(int entry) {
-        contact = contacts.probe(bodies, entry >> 1);
+        contact = contacts.probe(bodies.contacts, entry >> 1);
         return contact != null;
     }
 
@@ -365,7 +365,7 @@ public final class WakingByBodies {
 
     /** Measures the contact of an entry; this step goes on from other impulses if its length is another one. Null if it is none any more. */
     private RigidContact measureScaled(int entry) {
-        RigidContact c = contacts.probe(bodies, entry >> 1);
+        RigidContact c = contacts.probe(bodies.contacts, entry >> 1);
         if (c != null) {
             c.impulse *= k.warmScale;
             c.grip *= k.warmScale;
