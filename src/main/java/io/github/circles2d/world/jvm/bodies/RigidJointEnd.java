@@ -25,7 +25,6 @@ import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.Velocity;
 
 /**
  * An end of a joint that holds rigid bodies: a body, a circle, or an anchor or nothing, which do not give way. All are alike: a place on an arm from a
@@ -239,9 +238,7 @@ final class RigidJointEnd {
     /** The same, if a body is there. */
     void pushBody(float x, float y, float twist) {
         if (thing != null) {
-            thing.vx = Velocity.limitSpeed(thing.vx + w * x);
-            thing.vy = Velocity.limitSpeed(thing.vy + w * y);
-            thing.omega = Velocity.limitSpeed(thing.omega + i * ((armX * y - armY * x) + twist));
+            thing.add(w * x, w * y, i * ((armX * y - armY * x) + twist));
         }
     }
 

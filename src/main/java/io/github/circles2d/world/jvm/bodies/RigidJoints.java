@@ -4,7 +4,6 @@ import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.state.JointStates;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleMath;
-import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;
@@ -14,13 +13,12 @@ import java.util.Arrays;
 
 /**
  * The passes over joints that hold rigid bodies, one after the other in the order of their ids, before those over the contacts of bodies: so contacts
- * win. {@link RigidJointVisits} has a visit, {@link RigidJointEnd} what is at an end.
+ * win. {@link RigidJoint} has a visit.
  */
 final class RigidJoints {
     private final State state;
     private final RigidPairs pairs;
     private final RigidThings things;
-    private final RigidJointVisits visits = new RigidJointVisits();
 
     /** Those that act in the step. */
     private RigidJoint[] acting = {};
@@ -91,58 +89,26 @@ final class RigidJoints {
     void begin(StepConstants constants) {
         k = constants;
         scaleResting();
-        if (count == 0) {
-            return;
-        }
-        visits.begin(joints, states, constants);
         for (int n = 0; n < count; n++) {
-            RigidJoint j = acting[n];
-            j.a.begin(j.id, joints, constants);
-            j.b.begin(j.id, joints, constants);
-            float x = j.b.baseX() - j.a.baseX();
-            float y = j.b.baseY() - j.a.baseY();
-            j.baseX = state.wraps ? CircleMath.shortWay(x, state.periodX) : x;
-            j.baseY = state.wraps ? CircleMath.shortWay(y, state.periodY) : y;
-            j.normalX = 1f;
-            j.normalY = 0f;
-            j.distance = 0f;
-            float size = CircleMath.min(j.a.size(), j.b.size());
-            j.push = size < Float.POSITIVE_INFINITY ? JointMath.greatestPush(size, k.inverseH) : 0f;
-            visits.take(j);
-            visits.scale();
-            visits.measure(0);
-            visits.all();
-            visits.giveNext();
+            acting[n].beginStep(joints, states, k);
         }
     }
 
-    /** What bodies keep acts again; on circles it has acted before. */
     void warmStart() {
         for (int n = 0; n < count; n++) {
-            visits.take(acting[n]);
-            visits.all();
-            visits.giveToBodies();
+            acting[n].warmStart();
         }
     }
 
     void solve(int sub) {
         for (int n = 0; n < count; n++) {
-            visits.take(acting[n]);
-            visits.measure(sub);
-            visits.solve(sub);
+            acting[n].solve(sub);
         }
     }
 
     void relax(int sub, boolean last) {
         for (int n = 0; n < count; n++) {
-            visits.take(acting[n]);
-            visits.measure(sub + 1);
-            visits.relax(sub);
-            visits.all();
-            visits.addToSums();
-            if (!last) {
-                visits.giveNext();
-            }
+            acting[n].relax(sub, last);
         }
     }
 
@@ -150,8 +116,7 @@ final class RigidJoints {
     boolean end() {
         boolean some = false;
         for (int n = 0; n < count && joints.breakable; n++) {
-            visits.take(acting[n]);
-            if (visits.breaks()) {
+            if (acting[n].breaks()) {
                 states.breakJoint(acting[n].id);
                 some = true;
             }

@@ -37,8 +37,4 @@ final class RigidPair {
     float y() {
         return oy + (a.dy - b.dy);
     }
-
-    boolean resistsRolling() {
-        return a.rolling > 0f || b.rolling > 0f;
-    }
 }

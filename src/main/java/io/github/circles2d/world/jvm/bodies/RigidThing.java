@@ -4,6 +4,8 @@ import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CrossRule;
+import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.Velocity;
 
 /**
  * What takes part in contacts of rigid bodies in a step: a body, or a piece of terrain, a wall or a circle near to one. All are alike: a place, an angle,
@@ -194,6 +196,18 @@ final class RigidThing {
     }
 
     // ---- what moves it
+
+    /** Adds velocities, within the greatest speed; one look at all is enough nearly always. */
+    void add(float byX, float byY, float byOmega) {
+        vx += byX;
+        vy += byY;
+        omega += byOmega;
+        if (!(Math.abs(vx) + Math.abs(vy) + Math.abs(omega) <= Tuning.GREATEST_SPEED)) {
+            vx = Velocity.limitSpeed(vx);
+            vy = Velocity.limitSpeed(vy);
+            omega = Velocity.limitSpeed(omega);
+        }
+    }
 
     /** Whether contacts move or turn it. */
     boolean gives() {

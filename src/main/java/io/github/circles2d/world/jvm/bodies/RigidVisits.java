@@ -43,7 +43,6 @@ final class RigidVisits {
     private int to;
 
     private final RigidRules rules;
-    private final RigidPairVisits ofPairs;
 
     /** Whether a grip is -0, which a slip of 0 may change; visits make no other so. */
     private boolean gripsMinusZero;
@@ -66,7 +65,6 @@ final class RigidVisits {
         this.team = team;
         this.leastShare = leastShare;
         minusZero = new boolean[team.most()];
-        ofPairs = new RigidPairVisits(contacts, rules);
     }
 
     /** Begins a step: contacts have been found and measured; toTell: whether anybody asks how hard things have touched. */
@@ -159,9 +157,7 @@ final class RigidVisits {
         if (summing && t.number < things.bodies) {
             t.addToSums(x, y, spin, k.inverseH);
         } else {
-            t.vx = Velocity.limitSpeed(t.vx + x);
-            t.vy = Velocity.limitSpeed(t.vy + y);
-            t.omega = Velocity.limitSpeed(t.omega + spin);
+            t.add(x, y, spin);
         }
     }
 
@@ -220,16 +216,12 @@ final class RigidVisits {
     private void visit(int begin, int end) {
         for (int at = begin; at < end; at++) {
             RigidPair pair = order.order[at];
-            if (fixed && !pair.resistsRolling() && (relaxes || !pair.mayBounce)) {
-                if (relaxes) {
-                    ofPairs.relax(pair);
-                } else {
-                    ofPairs.solve(pair);
-                }
-            } else if (relaxes) {
+            if (relaxes) {
                 relax(pair);
-            } else {
+            } else if (pair.mayBounce || !fixed) {
                 solve(pair);
+            } else {
+                solvePlain(pair);
             }
         }
     }
@@ -287,6 +279,14 @@ final class RigidVisits {
             if (times == OF_BOUNCES && time == OF_BOUNCES - 1 && !agree) {
                 times = OF_HITS;
             }
+        }
+    }
+
+    /** Visits the contacts of a pair that neither bounces nor is hit. */
+    private void solvePlain(RigidPair pair) {
+        for (int n = pair.begin; n < pair.end; n++) {
+            RigidContact c = contacts.all[n];
+            apply(c, rules.solvedNormal(c, c.normalSpeed()));
         }
     }
 
