@@ -24,7 +24,7 @@ final class RigidContacts {
     /** By piece of the work: how many pairs have contacts, and how many contacts; then the first ones among all. */
     private int[] ofPiece = new int[0];
 
-    /** In the order of the keys of {@link RigidStep}. */
+    /** In the order of the keys of {@link KeptContacts}. */
     RigidContact[] all = {};
 
     int count;
