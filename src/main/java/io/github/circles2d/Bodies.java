@@ -2,8 +2,13 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidExtras;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.reads.RigidReads;
 import io.github.circles2d.world.shared.Call;
 
 /**
@@ -44,11 +49,20 @@ import io.github.circles2d.world.shared.Call;
  */
 public final class Bodies {
     private final Simulation simulation;
-    private final BodyEvents events;
+    private final RigidReads reads;
+    private final RigidTable table;
+    private final RigidStep step;
+    private final BodyEvents events = new BodyEvents();
 
     Bodies(Simulation simulation) {
         this.simulation = simulation;
-        events = new BodyEvents();
+        reads = simulation.rigidReads;
+        table = reads.table;
+        step = reads.step;
+    }
+
+    private int require(long body) {
+        return reads.require(body);
     }
 
     // ---- bodies come and go
@@ -210,7 +224,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public Outline outline(long body) {
-        return Outline.of(simulation.rigidReads.outline(body));
+        return Outline.of(step.outline[require(body)]);
     }
 
     /**
@@ -221,7 +235,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float mass(long body) {
-        return simulation.rigidReads.mass(body);
+        return table.mass(require(body));
     }
 
     /**
@@ -233,7 +247,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float inertia(long body) {
-        return simulation.rigidReads.inertia(body);
+        return table.inertia(require(body));
     }
 
     /**
@@ -255,7 +269,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float restitution(long body) {
-        return simulation.rigidReads.restitution(body);
+        return step.restitution[require(body)];
     }
 
     /**
@@ -277,7 +291,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public int kindOf(long body) {
-        return simulation.rigidReads.kind(body);
+        return step.kind[require(body)];
     }
 
     /**
@@ -311,7 +325,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public int group(long body) {
-        return simulation.rigidReads.group(body);
+        return step.extras.get(require(body), RigidExtras.GROUP);
     }
 
     /**
@@ -322,7 +336,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public long tag(long body) {
-        return simulation.rigidReads.tag(body);
+        return table.tag(require(body));
     }
 
     /**
@@ -346,7 +360,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float x(long body) {
-        return simulation.rigidReads.x(body);
+        return step.x[require(body)];
     }
 
     /**
@@ -357,7 +371,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float y(long body) {
-        return simulation.rigidReads.y(body);
+        return step.y[require(body)];
     }
 
     /**
@@ -368,7 +382,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float angle(long body) {
-        return simulation.rigidReads.angle(body);
+        return Surface.radians(step.angle[require(body)]);
     }
 
     /**
@@ -379,7 +393,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float vx(long body) {
-        return simulation.rigidReads.vx(body);
+        return step.vx[require(body)];
     }
 
     /**
@@ -390,7 +404,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float vy(long body) {
-        return simulation.rigidReads.vy(body);
+        return step.vy[require(body)];
     }
 
     /**
@@ -401,7 +415,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float angularVelocity(long body) {
-        return simulation.rigidReads.angularVelocity(body);
+        return step.omega[require(body)];
     }
 
     /**
@@ -412,7 +426,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public boolean isAwake(long body) {
-        return simulation.rigidReads.isAwake(body);
+        return reads.isAwake(body);
     }
 
     /**
@@ -421,7 +435,7 @@ public final class Bodies {
      * @return bodies that steps move
      */
     public int awake() {
-        return simulation.rigidReads.awake();
+        return reads.awake();
     }
 
     /**
@@ -531,7 +545,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float forceX(long body) {
-        return simulation.rigidReads.forceX(body);
+        return step.extras.real(require(body), RigidExtras.FORCE_X);
     }
 
     /**
@@ -542,7 +556,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float forceY(long body) {
-        return simulation.rigidReads.forceY(body);
+        return step.extras.real(require(body), RigidExtras.FORCE_Y);
     }
 
     /**
@@ -565,7 +579,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public float torque(long body) {
-        return simulation.rigidReads.torque(body);
+        return step.extras.real(require(body), RigidExtras.TORQUE);
     }
 
     /**
@@ -694,7 +708,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readById(float[] bodies, long[] living) {
-        simulation.rigidReads.readById(bodies, living);
+        reads.readById(bodies, living);
     }
 
     /**
@@ -705,7 +719,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readVelocitiesById(float[] velocities, long[] living) {
-        simulation.rigidReads.readVelocitiesById(velocities, living);
+        reads.readVelocitiesById(velocities, living);
     }
 
     /**
@@ -715,7 +729,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the array is too short
      */
     public void readHandles(long[] handles) {
-        simulation.rigidReads.readHandles(handles);
+        reads.readHandles(handles);
     }
 
     // ---- what bodies touch
@@ -727,7 +741,7 @@ public final class Bodies {
      * @param on whether it tells from now on: first of all that touches in the next step, as begun; if not, what it has not told yet is forgotten
      */
     public void report(boolean on) {
-        simulation.rigidReads.report(on);
+        reads.report(on);
     }
 
     /**
@@ -736,7 +750,7 @@ public final class Bodies {
      * @return always the same object, which the next call fills again
      */
     public BodyEvents events() {
-        simulation.rigidReads.take(events.rows());
+        reads.take(events.rows());
         return events;
     }
 
@@ -750,6 +764,6 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body does not exist
      */
     public int touching(long body, long[] handles) {
-        return simulation.rigidReads.touching(body, handles);
+        return reads.touching(body, handles);
     }
 }

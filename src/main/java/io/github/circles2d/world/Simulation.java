@@ -321,7 +321,7 @@ public final class Simulation implements AutoCloseable {
                     readings.awake(),
                     world.rigids.step.count,
                     world.rigids.step.awake(),
-                    world.rigids.step.contactPairs(),
+                    world.rigids.step.contacts.pairs(),
                     world.pipeline.bytesHeld()
                             + world.events.bytes()
                             + world.terrain.bytes()

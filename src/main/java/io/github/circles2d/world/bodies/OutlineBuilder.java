@@ -2,30 +2,12 @@ package io.github.circles2d.world.bodies;
 
 import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.terrain.ChainPath;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /** The lines and corners of a path that is closed, simple and anticlockwise, in order. */
 final class OutlineBuilder {
-    // of an element: a place, a radius or thickness, the normals at its ends, whether it is a line, the length of that,
-    // and how much longer its core
-    // is at both ends, where reflex corners are
-    static final int X = 0;
-    static final int Y = 1;
-    static final int R = 2;
-    static final int AX = 3;
-    static final int AY = 4;
-    static final int BX = 5;
-    static final int BY = 6;
-    static final int IS_LINE = 7;
-    static final int SPAN = 8;
-    private static final int BEFORE = 9;
-    private static final int AFTER = 10;
-
-    /** The radius of the core of an arc. */
-    private static final int BEND = 11;
-
-    static final int STRIDE = 12;
-
     /** A sine: pieces that meet at less are smooth. */
     private static final double SMOOTH = 1e-4;
 
@@ -46,9 +28,7 @@ final class OutlineBuilder {
     private final ChainPath path;
     private final double r;
     private final double width;
-    private double[] elements = new double[16 * STRIDE];
-    private int count;
-    private int lineCount;
+    final List<OutlineElement> elements = new ArrayList<>();
 
     // by piece: the unit tangents at both ends
     private final double[] startX;
@@ -156,7 +136,7 @@ final class OutlineBuilder {
         double inset = rounded ? r : 0;
         double x = path.x(k) + inset * (startX[k] * back[k] - startY[k]);
         double y = path.y(k) + inset * (startY[k] * back[k] + startX[k]);
-        add(x, y, inset, endY[h], -endX[h], startY[k], -startX[k]);
+        elements.add(new OutlineElement(false, x, y, inset, endY[h], -endX[h], startY[k], -startX[k]));
     }
 
     private void addLine(int k) {
@@ -173,12 +153,11 @@ final class OutlineBuilder {
         double along = r * back[k] + before;
         double x = path.x(k) + (along * startX[k] - r * startY[k]);
         double y = path.y(k) + (along * startY[k] + r * startX[k]);
-        int e = add(x, y, r, startY[k], -startX[k], startY[k], -startX[k]);
-        elements[e + IS_LINE] = 1;
-        elements[e + SPAN] = length - before - after;
-        elements[e + BEFORE] = before;
-        elements[e + AFTER] = after;
-        lineCount++;
+        OutlineElement e = new OutlineElement(true, x, y, r, startY[k], -startX[k], startY[k], -startX[k]);
+        e.span = length - before - after;
+        e.before = before;
+        e.after = after;
+        elements.add(e);
     }
 
     private void addArc(int k) {
@@ -202,105 +181,58 @@ final class OutlineBuilder {
             double sin = Rotation.sin((int) units);
             double toX = part == parts ? endY[k] : cos * startY[k] + sin * startX[k];
             double toY = part == parts ? -endX[k] : sin * startY[k] - cos * startX[k];
-            int e = add(path.centreX(k), path.centreY(k), radius, fromX, fromY, toX, toY);
-            elements[e + BEND] = bend;
+            OutlineElement e =
+                    new OutlineElement(false, path.centreX(k), path.centreY(k), radius, fromX, fromY, toX, toY);
+            e.bend = bend;
+            elements.add(e);
             fromX = toX;
             fromY = toY;
         }
     }
 
-    private int add(double x, double y, double radius, double ax, double ay, double bx, double by) {
-        if ((count + 1) * STRIDE > elements.length) {
-            elements = Arrays.copyOf(elements, 2 * elements.length);
-        }
-        int e = STRIDE * count++;
-        elements[e + X] = x;
-        elements[e + Y] = y;
-        elements[e + R] = radius;
-        elements[e + AX] = ax;
-        elements[e + AY] = ay;
-        elements[e + BX] = bx;
-        elements[e + BY] = by;
-        return e;
-    }
-
-    int count() {
-        return count;
-    }
-
-    void copy(int e, double[] to) {
-        System.arraycopy(elements, STRIDE * e, to, 0, STRIDE);
-    }
-
-    /** Of a line or arc, at a length or an angle from its start. */
-    static double pointX(double[] e, double at) {
-        return e[IS_LINE] != 0 ? e[X] + e[R] * e[AX] - at * e[AY] : e[X] + e[R] * normalX(e, at);
-    }
-
-    static double pointY(double[] e, double at) {
-        return e[IS_LINE] != 0 ? e[Y] + e[R] * e[AY] + at * e[AX] : e[Y] + e[R] * normalY(e, at);
-    }
-
-    private static double normalX(double[] e, double at) {
-        int units = (int) Rotation.units(at);
-        return at == 0 ? e[AX] : Rotation.cos(units) * e[AX] - Rotation.sin(units) * e[AY];
-    }
-
-    private static double normalY(double[] e, double at) {
-        int units = (int) Rotation.units(at);
-        return at == 0 ? e[AY] : Rotation.sin(units) * e[AX] + Rotation.cos(units) * e[AY];
-    }
-
     OutlineMass mass() {
-        return new OutlineMass(elements, count);
+        return new OutlineMass(elements);
     }
 
     float[] corners(double centreX, double centreY) {
-        float[] to = new float[OutlineShape.CORNER_STRIDE * (count - lineCount)];
+        float[] to = new float[OutlineShape.CORNER_STRIDE * elements.size()];
         int at = 0;
-        for (int e = 0; e < count * STRIDE; e += STRIDE) {
-            if (elements[e + IS_LINE] == 0) {
-                to[at] = (float) (elements[e + X] - centreX);
-                to[at + 1] = (float) (elements[e + Y] - centreY);
-                for (int k = OutlineShape.FROM_X; k <= OutlineShape.TO_Y; k++) {
-                    to[at + k] = (float) elements[e + k];
-                }
-                to[at + OutlineShape.RADIUS] = (float) (elements[e + R] - elements[e + BEND]);
-                to[at + OutlineShape.BEND] = (float) elements[e + BEND];
-                if (isPartOfArc(e)) {
-                    to[at + OutlineShape.FROM_X] = (float) (elements[e + AX] + OVERLAP * elements[e + AY]);
-                    to[at + OutlineShape.FROM_Y] = (float) (elements[e + AY] - OVERLAP * elements[e + AX]);
-                }
+        for (int k = 0; k < elements.size(); k++) {
+            OutlineElement e = elements.get(k);
+            if (!e.isLine) {
+                boolean isPart = isPartOfArc(k);
+                to[at] = (float) (e.x - centreX);
+                to[at + 1] = (float) (e.y - centreY);
+                to[at + OutlineShape.RADIUS] = (float) (e.r - e.bend);
+                to[at + OutlineShape.FROM_X] = (float) (isPart ? e.ax + OVERLAP * e.ay : e.ax);
+                to[at + OutlineShape.FROM_Y] = (float) (isPart ? e.ay - OVERLAP * e.ax : e.ay);
+                to[at + OutlineShape.TO_X] = (float) e.bx;
+                to[at + OutlineShape.TO_Y] = (float) e.by;
+                to[at + OutlineShape.BEND] = (float) e.bend;
                 at += OutlineShape.CORNER_STRIDE;
             }
         }
-        return to;
+        return Arrays.copyOf(to, at);
     }
 
     /** Whether the element before is a part of the same arc: its cone goes on a little into that one's, so that no way lies between both. */
-    private boolean isPartOfArc(int e) {
-        int before = e == 0 ? (count - 1) * STRIDE : e - STRIDE;
-        return before != e
-                && elements[e + BEND] == 0
-                && elements[before + IS_LINE] == 0
-                && elements[before + X] == elements[e + X]
-                && elements[before + Y] == elements[e + Y];
+    private boolean isPartOfArc(int k) {
+        OutlineElement e = elements.get(k);
+        OutlineElement before = elements.get(k == 0 ? elements.size() - 1 : k - 1);
+        return before != e && e.bend == 0 && !before.isLine && before.x == e.x && before.y == e.y;
     }
 
     /** As {@link OutlineShape#edges}. The centre of a line is its start. */
     double[] edges(double centreX, double centreY) {
-        double[] to = new double[OutlineShape.EDGE_STRIDE * count];
-        double[] element = new double[STRIDE];
+        double[] to = new double[OutlineShape.EDGE_STRIDE * elements.size()];
         int n = 0;
-        for (int e = 0; e < count; e++) {
-            copy(e, element);
-            boolean line = element[IS_LINE] != 0;
-            if (line || element[R] > 0) {
-                to[n] = pointX(element, 0) - centreX;
-                to[n + 1] = pointY(element, 0) - centreY;
-                to[n + OutlineShape.CENTRE_X] = line ? to[n] : element[X] - centreX;
-                to[n + OutlineShape.CENTRE_Y] = line ? to[n + 1] : element[Y] - centreY;
-                to[n + OutlineShape.EDGE_RADIUS] = line ? 0 : element[R];
+        for (OutlineElement e : elements) {
+            if (e.isLine || e.r > 0) {
+                to[n] = e.pointX(0) - centreX;
+                to[n + 1] = e.pointY(0) - centreY;
+                to[n + OutlineShape.CENTRE_X] = e.isLine ? to[n] : e.x - centreX;
+                to[n + OutlineShape.CENTRE_Y] = e.isLine ? to[n + 1] : e.y - centreY;
+                to[n + OutlineShape.EDGE_RADIUS] = e.isLine ? 0 : e.r;
                 n += OutlineShape.EDGE_STRIDE;
             }
         }
@@ -321,52 +253,46 @@ final class OutlineBuilder {
     }
 
     float[] lines(double centreX, double centreY) {
-        float[] to = new float[OutlineShape.LINE_STRIDE * lineCount];
+        float[] to = new float[OutlineShape.LINE_STRIDE * elements.size()];
         int at = 0;
-        for (int e = 0; e < count * STRIDE; e += STRIDE) {
-            if (elements[e + IS_LINE] != 0) {
-                to[at] = (float) (elements[e + X] + elements[e + BEFORE] * elements[e + AY] - centreX);
-                to[at + 1] = (float) (elements[e + Y] - elements[e + BEFORE] * elements[e + AX] - centreY);
-                to[at + OutlineShape.NX] = (float) elements[e + AX];
-                to[at + OutlineShape.NY] = (float) elements[e + AY];
-                to[at + OutlineShape.LENGTH] =
-                        (float) (elements[e + BEFORE] + elements[e + SPAN] + elements[e + AFTER]);
-                to[at + OutlineShape.THICKNESS] = (float) elements[e + R];
+        for (OutlineElement e : elements) {
+            if (e.isLine) {
+                to[at] = (float) (e.x + e.before * e.ay - centreX);
+                to[at + 1] = (float) (e.y - e.before * e.ax - centreY);
+                to[at + OutlineShape.NX] = (float) e.ax;
+                to[at + OutlineShape.NY] = (float) e.ay;
+                to[at + OutlineShape.LENGTH] = (float) (e.before + e.span + e.after);
+                to[at + OutlineShape.THICKNESS] = (float) e.r;
                 at += OutlineShape.LINE_STRIDE;
             }
         }
-        return to;
+        return Arrays.copyOf(to, at);
     }
 
     /** Both ends of the cores of lines, and ends and middles of arcs that are no rounded corners. */
     float[] core(double centreX, double centreY) {
-        float[] to = new float[6 * count];
+        float[] to = new float[6 * elements.size()];
         int n = 0;
-        for (int e = 0; e < count * STRIDE; e += STRIDE) {
-            boolean line = elements[e + IS_LINE] != 0;
-            double radius = elements[e + R];
-            if (!line && radius == r) {
-                continue;
-            }
-            double x = elements[e + X] - centreX;
-            double y = elements[e + Y] - centreY;
-            if (line) {
-                to[n++] = (float) (x + elements[e + BEFORE] * elements[e + AY]);
-                to[n++] = (float) (y - elements[e + BEFORE] * elements[e + AX]);
-                double end = elements[e + SPAN] + elements[e + AFTER];
-                to[n++] = (float) (x - end * elements[e + AY]);
-                to[n++] = (float) (y + end * elements[e + AX]);
-            } else {
-                double inner = Math.max(0, radius - r);
-                to[n++] = (float) (x + inner * elements[e + AX]);
-                to[n++] = (float) (y + inner * elements[e + AY]);
-                double mx = elements[e + AX] + elements[e + BX];
-                double my = elements[e + AY] + elements[e + BY];
+        for (OutlineElement e : elements) {
+            double x = e.x - centreX;
+            double y = e.y - centreY;
+            if (e.isLine) {
+                double end = e.span + e.after;
+                to[n++] = (float) (x + e.before * e.ay);
+                to[n++] = (float) (y - e.before * e.ax);
+                to[n++] = (float) (x - end * e.ay);
+                to[n++] = (float) (y + end * e.ax);
+            } else if (e.r != r) {
+                double inner = Math.max(0, e.r - r);
+                double mx = e.ax + e.bx;
+                double my = e.ay + e.by;
                 double m = Math.sqrt(mx * mx + my * my);
+                to[n++] = (float) (x + inner * e.ax);
+                to[n++] = (float) (y + inner * e.ay);
                 to[n++] = (float) (x + inner * mx / m);
                 to[n++] = (float) (y + inner * my / m);
-                to[n++] = (float) (x + inner * elements[e + BX]);
-                to[n++] = (float) (y + inner * elements[e + BY]);
+                to[n++] = (float) (x + inner * e.bx);
+                to[n++] = (float) (y + inner * e.by);
             }
         }
         return Arrays.copyOf(to, n);

@@ -1,5 +1,7 @@
 package io.github.circles2d.world.bodies;
 
+import java.util.List;
+
 /**
  * Area, centroid and second moment of an outline, exact but for rounding: those of the polygon through all ends of lines and arcs, and of
  * the segments between arcs and their chords.
@@ -17,33 +19,30 @@ final class OutlineMass {
     private double my;
     private double about;
 
-    /** Of elements in order, by {@link OutlineBuilder#STRIDE}; they are taken relative to the first one's place. */
-    OutlineMass(double[] elements, int count) {
-        double ox = elements[OutlineBuilder.X];
-        double oy = elements[OutlineBuilder.Y];
-        double[] element = new double[OutlineBuilder.STRIDE];
+    /** Of elements in order; they are taken relative to the first one's place. */
+    OutlineMass(List<OutlineElement> elements) {
+        double ox = elements.get(0).x;
+        double oy = elements.get(0).y;
         double startX = 0;
         double startY = 0;
         double x = 0;
         double y = 0;
-        for (int e = 0; e < count; e++) {
-            System.arraycopy(elements, OutlineBuilder.STRIDE * e, element, 0, OutlineBuilder.STRIDE);
-            element[OutlineBuilder.X] -= ox;
-            element[OutlineBuilder.Y] -= oy;
-            double turn = span(element);
-            double fromX = OutlineBuilder.pointX(element, 0);
-            double fromY = OutlineBuilder.pointY(element, 0);
-            double toX = OutlineBuilder.pointX(element, turn);
-            double toY = OutlineBuilder.pointY(element, turn);
-            if (e == 0) {
+        for (int k = 0; k < elements.size(); k++) {
+            OutlineElement e = elements.get(k).lower(ox, oy);
+            double turn = e.span();
+            double fromX = e.pointX(0);
+            double fromY = e.pointY(0);
+            double toX = e.pointX(turn);
+            double toY = e.pointY(turn);
+            if (k == 0) {
                 startX = fromX;
                 startY = fromY;
             } else {
                 edge(x, y, fromX, fromY);
             }
             edge(fromX, fromY, toX, toY);
-            if (element[OutlineBuilder.IS_LINE] == 0 && element[OutlineBuilder.R] > 0) {
-                segment(element, turn);
+            if (!e.isLine && e.r > 0) {
+                segment(e, turn);
             }
             x = toX;
             y = toY;
@@ -64,9 +63,9 @@ final class OutlineMass {
     }
 
     /** Between an arc and its chord. */
-    private void segment(double[] arc, double turn) {
-        double r = arc[OutlineBuilder.R];
-        double cos = arc[OutlineBuilder.AX] * arc[OutlineBuilder.BX] + arc[OutlineBuilder.AY] * arc[OutlineBuilder.BY];
+    private void segment(OutlineElement arc, double turn) {
+        double r = arc.r;
+        double cos = arc.ax * arc.bx + arc.ay * arc.by;
         double f = turn / 2;
         double cosF = Math.sqrt(Math.max(0, (1 + cos) / 2));
         double sinF = Math.sqrt(Math.max(0, (1 - cos) / 2));
@@ -78,11 +77,11 @@ final class OutlineMass {
         }
         double d = 2 * r * sinF * sinF * sinF / (3 * lens);
         // the middle of the cone: the chord's normal, which is exact for half a turn too
-        double chordX = arc[OutlineBuilder.BX] - arc[OutlineBuilder.AX];
-        double chordY = arc[OutlineBuilder.BY] - arc[OutlineBuilder.AY];
+        double chordX = arc.bx - arc.ax;
+        double chordY = arc.by - arc.ay;
         double length = Math.sqrt(chordX * chordX + chordY * chordY);
-        double gx = arc[OutlineBuilder.X] + d * (chordY / length);
-        double gy = arc[OutlineBuilder.Y] - d * (chordX / length);
+        double gx = arc.x + d * (chordY / length);
+        double gy = arc.y - d * (chordX / length);
         double b = 2 * r * sinF;
         double h = r * cosF;
         double aboutCentre = r * r * r * r * f / 2 - b * h / 2 * (h * h / 2 + b * b / 24);
@@ -90,17 +89,5 @@ final class OutlineMass {
         mx += s * gx;
         my += s * gy;
         about += aboutCentre - s * d * d + s * (gx * gx + gy * gy);
-    }
-
-    /** The opening of an arc's cone, radians, or the length of a line. */
-    static double span(double[] element) {
-        if (element[OutlineBuilder.IS_LINE] != 0) {
-            return element[OutlineBuilder.SPAN];
-        }
-        double ax = element[OutlineBuilder.AX];
-        double ay = element[OutlineBuilder.AY];
-        double bx = element[OutlineBuilder.BX];
-        double by = element[OutlineBuilder.BY];
-        return OutlineShape.angle(ax * bx + ay * by, Math.max(0, ax * by - ay * bx));
     }
 }

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.bodies;
 
-import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.terrain.ChainPath;
 import java.util.Arrays;
 
@@ -356,18 +355,14 @@ public final class OutlineShape {
     public float[] points(float tolerance) {
         float[] to = new float[64];
         int n = 0;
-        double[] element = new double[OutlineBuilder.STRIDE];
-        OutlineBuilder built = new OutlineBuilder(path, rounding, width);
-        for (int e = 0; e < built.count(); e++) {
-            built.copy(e, element);
-            double r = element[OutlineBuilder.R];
-            double span = OutlineMass.span(element);
-            int parts = element[OutlineBuilder.IS_LINE] != 0 || r == 0
+        for (OutlineElement e : new OutlineBuilder(path, rounding, width).elements) {
+            double span = e.span();
+            int parts = e.isLine || e.r == 0
                     ? 1
-                    : (int) Math.max(1, Math.min(1024, Math.ceil(span * Math.sqrt(r / (8.0 * tolerance)))));
+                    : (int) Math.max(1, Math.min(1024, Math.ceil(span * Math.sqrt(e.r / (8.0 * tolerance)))));
             for (int k = 0; k <= parts; k++) {
-                double x = OutlineBuilder.pointX(element, span * k / parts);
-                double y = OutlineBuilder.pointY(element, span * k / parts);
+                double x = e.pointX(span * k / parts);
+                double y = e.pointY(span * k / parts);
                 float px = (float) (x - mass.centroidX);
                 float py = (float) (y - mass.centroidY);
                 boolean again = n > 0 && near(to[n - 2], to[n - 1], px, py) || n > 2 && near(to[0], to[1], px, py);
@@ -385,20 +380,5 @@ public final class OutlineShape {
     private boolean near(float x, float y, float px, float py) {
         float close = 1e-6f * reach;
         return Math.abs(x - px) <= close && Math.abs(y - py) <= close;
-    }
-
-    /** Angle in radians of a unit vector's way to another, from 0 to pi, from its cosine and sine. */
-    static double angle(double cos, double sin) {
-        int low = 0;
-        for (int bit = 1 << 30; bit > 0; bit >>= 1) {
-            // the angle is at least that of low + bit if it lies anticlockwise of it
-            int next = low + bit;
-            if (next > 0 && sin * Rotation.cos(next) - cos * Rotation.sin(next) >= 0) {
-                low = next;
-            }
-        }
-        double c = Rotation.cos(low);
-        double s = Rotation.sin(low);
-        return low * Rotation.RADIANS_PER_UNIT + (sin * c - cos * s);
     }
 }

@@ -199,10 +199,11 @@ public final class RigidEvents implements RigidStep.Listener {
     /** A pair is not among those of the step: it goes on to touch without an event if both rest, or all, else it ends. */
     private void leave(int pair) {
         int at = RigidStep.TOUCH_KEYS * pair;
-        while (rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) < 0) {
+        while (rest < step.resting.count && compare(step.resting.keys, KeptContacts.KEYS * rest, keys, at) < 0) {
             rest++;
         }
-        boolean rests = rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) == 0;
+        boolean rests =
+                rest < step.resting.count && compare(step.resting.keys, KeptContacts.KEYS * rest, keys, at) == 0;
         if (rests || step.touchesStay && !isSensed(keys, at)) {
             System.arraycopy(keys, at, nextKeys, RigidStep.TOUCH_KEYS * count, RigidStep.TOUCH_KEYS);
             System.arraycopy(handles, HANDLES * pair, nextHandles, HANDLES * count, HANDLES);

@@ -20,33 +20,12 @@ public final class RigidStep {
     /** Added to the type of a touch of what only senses each other, so that these come last. */
     public static final int SENSED = 4;
 
-    /** Ints of a contact in {@link #contactKeys}: its type, a body, what it touches, and where on both. */
-    public static final int KEYS = 5;
-
+    // numbers of the key of a contact or a touch
     public static final int TYPE = 0;
     public static final int A = 1;
 
     /** The other body, of a higher id; the id of a piece of terrain; the number of a wall; the id of a circle. */
     public static final int B = 2;
-
-    /** The form of a contact, and behind it the number of a corner or a line of A. */
-    public static final int FORM_AND_FEATURE = 3;
-
-    /** The number of a corner or a line of B. */
-    public static final int FEATURE_OF_B = 4;
-
-    // forms: a corner of A is on a line of B, the other way round, or both are corners
-    public static final int CORNER_ON_LINE = 0;
-    public static final int SWAPPED = 1;
-    public static final int BOTH = 2;
-
-    public static final int FORM_SHIFT = 16;
-    public static final int FEATURE = (1 << FORM_SHIFT) - 1;
-
-    /** Floats of a contact in {@link #contactImpulses}: along the normal, and along the tangent. */
-    public static final int IMPULSES = 2;
-
-    public static final int NORMAL = 0;
 
     /** Floats of a touch in {@link #touchValues}: the point, the normal from the body to what it touches, the impulse, the speed of the approach. */
     public static final int TOUCH_VALUES = 6;
@@ -116,11 +95,8 @@ public final class RigidStep {
     /** Among others the forces that last. */
     public final RigidExtras extras = new RigidExtras();
 
-    /** Contacts that the next step starts from, in ascending order of their keys. */
-    public int contacts;
-
-    public int[] contactKeys = new int[0];
-    public float[] contactImpulses = new float[0];
+    /** Contacts that the next step starts from. */
+    public final KeptContacts contacts = new KeptContacts();
 
     /** Is told of each step; null if nobody wants to know, and there are no touches then. */
     public Listener listener;
@@ -137,10 +113,8 @@ public final class RigidStep {
     /** Counts changes by calls and states, behind which the balance of a body that sleeps may be another. */
     public int changes;
 
-    /** Contacts of the last step whose things rested, by {@link #TOUCH_KEYS}, in ascending order. */
-    public int resting;
-
-    public int[] restingKeys = new int[0];
+    /** Contacts of the last step whose things rested. */
+    public KeptContacts resting = new KeptContacts();
 
     // ---- sleep
 
@@ -214,11 +188,10 @@ public final class RigidStep {
                 wake(body);
             }
         }
-        for (int k = 0; k < contacts; k++) {
-            int at = KEYS * k;
-            boolean presses = contactKeys[at + TYPE] == BODY_WALL && contactImpulses[IMPULSES * k + NORMAL] > 0f;
-            if (presses && isAsleep(contactKeys[at + A]) && (commands.wallsToWake() & 1 << contactKeys[at + B]) != 0) {
-                wake(contactKeys[at + A]);
+        for (int k = 0; k < contacts.count; k++) {
+            boolean presses = contacts.type(k) == BODY_WALL && contacts.impulse(k) > 0f;
+            if (presses && isAsleep(contacts.a(k)) && (commands.wallsToWake() & 1 << contacts.b(k)) != 0) {
+                wake(contacts.a(k));
             }
         }
         changes++;
@@ -289,28 +262,6 @@ public final class RigidStep {
         return order == 0 ? Integer.compare(keys[at + B], b) : order;
     }
 
-    /** Pairs that have contacts: those of one are next to each other. */
-    public int contactPairs() {
-        int pairs = 0;
-        for (int k = 0; k < KEYS * contacts; k += KEYS) {
-            boolean isOfPairBefore = k > 0
-                    && contactKeys[k + TYPE] == contactKeys[k - KEYS + TYPE]
-                    && contactKeys[k + A] == contactKeys[k - KEYS + A]
-                    && contactKeys[k + B] == contactKeys[k - KEYS + B];
-            pairs += isOfPairBefore ? 0 : 1;
-        }
-        return pairs;
-    }
-
-    /** Makes room for contacts, and keeps those that there are. If there is none, nothing has changed. */
-    public void ensureContacts(int needed) {
-        if (contactKeys.length < KEYS * needed) {
-            int c = Math.max(Math.max(needed, 64), contactKeys.length / KEYS * 3 / 2);
-            contactImpulses = Arrays.copyOf(contactImpulses, IMPULSES * c);
-            contactKeys = Arrays.copyOf(contactKeys, KEYS * c);
-        }
-    }
-
     /** Adds a touch, behind those that there are. */
     public void addTouch(int type, int a, int b, float px, float py, float nx, float ny, float impulse, float speed) {
         ensureTouches(touches + 1);
@@ -338,12 +289,6 @@ public final class RigidStep {
 
     /** Bytes of the arrays. */
     public long bytes() {
-        return extras.bytes()
-                + 4L
-                        * (16L * room()
-                                + contactKeys.length
-                                + contactImpulses.length
-                                + touchKeys.length
-                                + touchValues.length);
+        return extras.bytes() + contacts.bytes() + 4L * (16L * room() + touchKeys.length + touchValues.length);
     }
 }

@@ -172,7 +172,7 @@ public final class RigidTable {
         outlines.dropUnused();
         count();
         events.bodiesGo();
-        step.contacts = 0;
+        step.contacts.count = 0;
         pushed = false;
     }
 
@@ -354,7 +354,7 @@ public final class RigidTable {
     /** A circle goes. */
     public void circleGoes(int circle) {
         events.circleGoes(circle);
-        if (step.contacts > 0) {
+        if (step.contacts.count > 0) {
             note(goneCircles, circle);
         }
     }
@@ -362,7 +362,7 @@ public final class RigidTable {
     /** All circles go. */
     public void circlesGo() {
         events.circlesGo();
-        if (step.contacts > 0) {
+        if (step.contacts.count > 0) {
             Arrays.fill(goneCircles, -1L);
             someGone = true;
         }
@@ -373,7 +373,7 @@ public final class RigidTable {
         if (!pieces.has(piece)) {
             events.pieceGoes(piece);
         }
-        if (step.contacts > 0) {
+        if (step.contacts.count > 0) {
             note(gonePieces, piece);
         }
     }
@@ -411,28 +411,21 @@ public final class RigidTable {
 
     /** Drops contacts of a body, and of all that has gone. */
     private void dropContactsOf(int body) {
-        int kept = 0;
-        for (int k = 0; k < step.contacts; k++) {
-            int at = RigidStep.KEYS * k;
-            if (!isGone(step.contactKeys, at, body)) {
-                System.arraycopy(step.contactKeys, at, step.contactKeys, RigidStep.KEYS * kept, RigidStep.KEYS);
-                System.arraycopy(
-                        step.contactImpulses,
-                        RigidStep.IMPULSES * k,
-                        step.contactImpulses,
-                        RigidStep.IMPULSES * kept,
-                        RigidStep.IMPULSES);
-                kept++;
+        KeptContacts contacts = step.contacts;
+        int end = contacts.count;
+        contacts.count = 0;
+        for (int k = 0; k < end; k++) {
+            if (!isGone(contacts, k, body)) {
+                contacts.add(contacts, k);
             }
         }
-        step.contacts = kept;
         step.changes++;
     }
 
-    private boolean isGone(int[] keys, int at, int body) {
-        int b = keys[at + RigidStep.B];
-        boolean ofBody = keys[at + RigidStep.A] == body;
-        return switch (keys[at + RigidStep.TYPE]) {
+    private boolean isGone(KeptContacts contacts, int k, int body) {
+        int b = contacts.b(k);
+        boolean ofBody = contacts.a(k) == body;
+        return switch (contacts.type(k)) {
             case RigidStep.BODY_BODY -> ofBody || b == body;
             case RigidStep.BODY_CIRCLE -> ofBody || has(goneCircles, b);
             case RigidStep.BODY_PIECE -> ofBody || has(gonePieces, b);
@@ -458,9 +451,8 @@ public final class RigidTable {
                 save(body, to);
             }
         }
-        to.setContacts(step.contacts);
-        System.arraycopy(step.contactKeys, 0, to.contactKeys, 0, RigidStep.KEYS * step.contacts);
-        System.arraycopy(step.contactImpulses, 0, to.contactImpulses, 0, RigidStep.IMPULSES * step.contacts);
+        to.contacts.ensure(step.contacts.count);
+        to.contacts.copy(step.contacts);
         events.save(to);
     }
 
@@ -503,9 +495,9 @@ public final class RigidTable {
         if (from.hasExtras()) {
             step.extras.ensure(Math.max(ids.room(), from.ids));
         }
-        step.ensureContacts(from.contacts);
-        goneCircles = withRoom(goneCircles, from.idsTouched(RigidStep.BODY_CIRCLE));
-        gonePieces = withRoom(gonePieces, from.idsTouched(RigidStep.BODY_PIECE));
+        step.contacts.ensure(from.contacts.count);
+        goneCircles = withRoom(goneCircles, from.contacts.idsTouched(RigidStep.BODY_CIRCLE));
+        gonePieces = withRoom(gonePieces, from.contacts.idsTouched(RigidStep.BODY_PIECE));
         events.makeRoom(from);
     }
 
@@ -523,9 +515,7 @@ public final class RigidTable {
         }
         outlines.dropUnused();
         count();
-        step.contacts = from.contacts;
-        System.arraycopy(from.contactKeys, 0, step.contactKeys, 0, RigidStep.KEYS * from.contacts);
-        System.arraycopy(from.contactImpulses, 0, step.contactImpulses, 0, RigidStep.IMPULSES * from.contacts);
+        step.contacts.copy(from.contacts);
         forgetGone();
         events.load(from);
     }

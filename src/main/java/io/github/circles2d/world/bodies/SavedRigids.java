@@ -48,11 +48,8 @@ public final class SavedRigids {
 
     public int outlineCount;
 
-    /** {@link RigidStep#contacts} and what belongs to them. */
-    public int contacts;
-
-    public int[] contactKeys = new int[0];
-    public float[] contactImpulses = new float[0];
+    /** {@link RigidStep#contacts}. */
+    public final KeptContacts contacts = new KeptContacts();
 
     /** What bodies touched in the last step, if that is reported: by {@link RigidStep#TOUCH_KEYS}. */
     public int touching;
@@ -65,7 +62,7 @@ public final class SavedRigids {
     public void clear() {
         ids = 0;
         outlineCount = 0;
-        contacts = 0;
+        contacts.count = 0;
         touching = 0;
     }
 
@@ -92,17 +89,6 @@ public final class SavedRigids {
             }
         }
         return false;
-    }
-
-    /** One more than the greatest id of what bodies have contacts with, of a type. */
-    int idsTouched(int type) {
-        int end = 0;
-        for (int at = 0; at < RigidStep.KEYS * contacts; at += RigidStep.KEYS) {
-            if (contactKeys[at + RigidStep.TYPE] == type) {
-                end = Math.max(end, contactKeys[at + RigidStep.B] + 1);
-            }
-        }
-        return end;
     }
 
     /** A value that is a float. */
@@ -142,18 +128,6 @@ public final class SavedRigids {
     }
 
     /** Makes room, without the contents so far, and sets the number. */
-    public void setContacts(int count) {
-        if (contactKeys.length < RigidStep.KEYS * count) {
-            int c = Math.max(count, contactKeys.length / RigidStep.KEYS * 3 / 2);
-            int[] newKeys = new int[RigidStep.KEYS * c];
-            float[] newImpulses = new float[RigidStep.IMPULSES * c];
-            contactKeys = newKeys;
-            contactImpulses = newImpulses;
-        }
-        contacts = count;
-    }
-
-    /** Makes room, without the contents so far, and sets the number. */
     public void setTouching(int pairs) {
         if (touchingKeys.length < RigidStep.TOUCH_KEYS * pairs) {
             touchingKeys = new int[Math.max(RigidStep.TOUCH_KEYS * pairs, touchingKeys.length * 3 / 2)];
@@ -163,19 +137,9 @@ public final class SavedRigids {
 
     /** The part of the bodies in the hash of the state; what they touched without a contact that stays does not count. */
     public long hash() {
-        long sum = 0;
+        long sum = contacts.hash();
         for (int body = 0; body < ids; body++) {
             sum += lives(body) ? hash(body) : 0;
-        }
-        for (int k = 0; k < contacts; k++) {
-            long h = StateHash.rigidContact();
-            for (int key = RigidStep.KEYS * k; key < RigidStep.KEYS * (k + 1); key++) {
-                h = StateHash.absorb(h, contactKeys[key]);
-            }
-            for (int at = RigidStep.IMPULSES * k; at < RigidStep.IMPULSES * (k + 1); at++) {
-                h = StateHash.absorb(h, contactImpulses[at]);
-            }
-            sum += h;
         }
         return sum;
     }

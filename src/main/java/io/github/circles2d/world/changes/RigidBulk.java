@@ -45,7 +45,6 @@ public final class RigidBulk {
     }
 
     // ---- many come
-    // ---------------------------------------------------------------------------------------------------
 
     /**
      * Adds bodies at rest, four elements each: x, y, angle in radians, mass. All have the first outline if there is but one. Without kinds they are
@@ -120,7 +119,6 @@ public final class RigidBulk {
     }
 
     // ---- many change
-    // -------------------------------------------------------------------------------------------------
 
     /** Removes bodies. Returns the number of handles that were left out, as all calls here do. */
     public int remove(long[] bodies, int count, boolean skipStale) {

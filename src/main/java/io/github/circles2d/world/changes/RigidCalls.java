@@ -138,7 +138,6 @@ public final class RigidCalls implements Calls.Effects {
     }
 
     // ---- calls by their words
-    // ----------------------------------------------------------------------------------------
 
     @Override
     public long make(Call call, int[] w) {

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.jvm;
 
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.joints.BrokenJoints;
@@ -12,8 +13,8 @@ import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindSurface;
-import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.StepInput;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -28,23 +29,6 @@ public final class HostBodies implements AutoCloseable {
 
     /** Words of a circle that bodies may sense: id, kind, group, radius, x and y as the step begins, and as it ends. */
     public static final int SENSED_WORDS = 8;
-
-    /** Words of a circle that sleeps, as bodies tell a device of it, and that of them: see the next ones. */
-    public static final int SLEEPER_WORDS = 12;
-
-    public static final int SLEEPER_SLOT = 0;
-
-    /** The speed that wakes it, or reaches it in a ring. */
-    public static final int SLEEPER_SPEED = 1;
-
-    /** From the device: the speed that has woken it. */
-    public static final int SLEEPER_WOKEN_BY = 2;
-
-    /** From the device: negative if it has woken, else what loads it. */
-    public static final int SLEEPER_PRESSING = 3;
-
-    /** The four sums of what presses it, each the lower half first. */
-    public static final int SLEEPER_SUMS = 4;
 
     /** Words of a circle at a body, which travel in each pass: motion, load, surface speed, impulse on it, allowance, how far it has turned. */
     public static final int ROW_WORDS = 12;
@@ -81,7 +65,10 @@ public final class HostBodies implements AutoCloseable {
     private final Team team;
     private final State state = new State();
     private final RigidPasses passes;
-    private final HostWaking waking;
+
+    /** Who wakes before a step. */
+    public final HostWaking waking;
+
     private final RigidSensing sensing = new RigidSensing(state);
 
     /** What joints that hold bodies keep. */
@@ -114,15 +101,21 @@ public final class HostBodies implements AutoCloseable {
 
     private int restingCount;
 
-    private final Runnable findBodies = this::findBodiesHere;
-    private final Runnable findContacts = this::findContactsHere;
-    private final Runnable begin = this::beginHere;
-    private final Runnable driveBodies = this::driveBodiesHere;
-    private final Runnable solveBodies = this::solveBodiesHere;
-    private final Runnable solveCircles = this::solveCirclesHere;
-    private final Runnable relaxBodies = this::relaxBodiesHere;
-    private final Runnable relaxCircles = this::relaxCirclesHere;
-    private final Runnable end = this::endHere;
+    /** What workers make together. */
+    private enum Part {
+        FIND_BODIES,
+        FIND_CONTACTS,
+        BEGIN,
+        DRIVE_BODIES,
+        SOLVE_BODIES,
+        SOLVE_CIRCLES,
+        RELAX_BODIES,
+        RELAX_CIRCLES,
+        END
+    }
+
+    private Part part;
+    private final Runnable make = this::make;
 
     /** Takes no more threads than that. */
     public HostBodies(int threads) {
@@ -130,6 +123,40 @@ public final class HostBodies implements AutoCloseable {
         state.startTurning();
         passes = new RigidPasses(state, team, JvmPipeline.LEAST_SHARE);
         waking = new HostWaking(state, passes.waking);
+    }
+
+    private void run(Part which) {
+        part = which;
+        team.run(workers, make);
+    }
+
+    private void make() {
+        switch (part) {
+            case FIND_BODIES -> {
+                JointStep joints = joined() ? input.joints : null;
+                passes.findBodies(bodies, input.constants, input.terrain, joints, joints == null ? null : states);
+            }
+            case FIND_CONTACTS -> {
+                passes.findContacts();
+                findCirclesAtBodies();
+            }
+            case BEGIN -> {
+                sensing.beginWithoutCircles(bodies, input);
+                passes.begin(input.constants.sleeping ? input.sleep.rows : null);
+            }
+            case DRIVE_BODIES -> passes.integrateVelocities();
+            case SOLVE_BODIES -> passes.solve(subStep);
+            case SOLVE_CIRCLES -> passes.solveCircles();
+            case RELAX_BODIES -> {
+                passes.integratePositions(subStep);
+                passes.relax(subStep, last);
+            }
+            case RELAX_CIRCLES -> passes.relaxCircles(last);
+            case END -> {
+                passes.end();
+                states.endStep();
+            }
+        }
     }
 
     /** Sets what steps are made with, until the next call. */
@@ -207,14 +234,13 @@ public final class HostBodies implements AutoCloseable {
         if (!input.constants.sleeping) {
             return;
         }
-        if (resting.length < bodies.contacts) {
-            resting = new int[bodies.contacts + (bodies.contacts >> 1)];
+        KeptContacts contacts = bodies.contacts;
+        if (resting.length < contacts.count) {
+            resting = new int[contacts.count + (contacts.count >> 1)];
         }
-        for (int c = 0; c < bodies.contacts; c++) {
-            int at = RigidStep.KEYS * c;
-            if (bodies.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_CIRCLE
-                    && bodies.isAsleep(bodies.contactKeys[at + RigidStep.A])) {
-                resting[restingCount++] = bodies.contactKeys[at + RigidStep.B];
+        for (int c = 0; c < contacts.count; c++) {
+            if (contacts.type(c) == RigidStep.BODY_CIRCLE && bodies.isAsleep(contacts.a(c))) {
+                resting[restingCount++] = contacts.b(c);
             }
         }
     }
@@ -235,12 +261,7 @@ public final class HostBodies implements AutoCloseable {
         state.turning.surfaces = input.surfaces.rows;
         forgetCircles();
         findResting();
-        team.run(workers, findBodies);
-    }
-
-    private void findBodiesHere() {
-        boolean joined = joined();
-        passes.findBodies(bodies, input.constants, input.terrain, joined ? input.joints : null, joined ? states : null);
+        run(Part.FIND_BODIES);
     }
 
     /** How many boxes there are. */
@@ -274,7 +295,7 @@ public final class HostBodies implements AutoCloseable {
         if (input.constants.sleeping) {
             addAll(circles, words, at, true);
         }
-        team.run(workers, findContacts);
+        run(Part.FIND_CONTACTS);
     }
 
     /** Those that sleep lie behind the others, as where all is on the JVM. */
@@ -342,16 +363,9 @@ public final class HostBodies implements AutoCloseable {
         return Float.intBitsToFloat(words.get(at));
     }
 
-    private void findContactsHere() {
-        passes.findContacts();
+    private void findCirclesAtBodies() {
         atBodiesCount = passes.circles(atBodies);
-        if (heldCount > 0) {
-            addHeld();
-        }
-    }
-
-    private void addHeld() {
-        for (int k = 0; k < atBodiesCount; k++) {
+        for (int k = 0; k < atBodiesCount && heldCount > 0; k++) {
             isAtBodies[atBodies[k]] = true;
         }
         for (int k = 0; k < heldCount; k++) {
@@ -361,7 +375,7 @@ public final class HostBodies implements AutoCloseable {
                 atBodies[atBodiesCount++] = slot;
             }
         }
-        for (int k = 0; k < atBodiesCount; k++) {
+        for (int k = 0; k < atBodiesCount && heldCount > 0; k++) {
             isAtBodies[atBodies[k]] = false;
         }
     }
@@ -392,52 +406,15 @@ public final class HostBodies implements AutoCloseable {
         waking.begin(bodies, input.constants);
     }
 
-    /** How many circles that sleep the device is told of. */
-    public int sleepers() {
-        return waking.count();
-    }
-
-    /** Puts what presses them and is about to push them, {@link #SLEEPER_WORDS} each. */
+    /** Puts what presses circles that sleep and is about to push them. */
     public void putSleepers(IntBuffer to, int at) {
         waking.put(to, at, deviceSlot);
     }
 
-    /** Takes which of them the device has woken in a ring. */
-    public void takeWoken(IntBuffer from, int at, int ring) {
-        waking.take(from, at, ring);
-    }
-
-    /** Whether a body has woken in the ring before. */
-    public boolean hasRing() {
-        return waking.hasRing();
-    }
-
-    /** Makes the part of a ring that bodies have. */
-    public void passOn(int ring) {
-        waking.passOn(ring);
-    }
-
-    /** Puts what reaches circles in it. */
-    public void putReached(IntBuffer to, int at) {
-        waking.putReached(to, at);
-    }
-
-    /** Wakes the bodies that are to wake; returns whether there are any. */
-    public boolean endWaking() {
-        return waking.end();
-    }
-
-    /** The step is refused: no body has woken. */
-    public void undoWaking() {
-        waking.undo();
-    }
-
     private boolean wakeAlone() {
         beginWaking();
-        for (int ring = 1; ring < Sleep.RINGS && hasRing(); ring++) {
-            passOn(ring);
-        }
-        return endWaking();
+        waking.passOnAlone();
+        return waking.end();
     }
 
     // ---- circles at bodies
@@ -489,74 +466,43 @@ public final class HostBodies implements AutoCloseable {
 
     /** Begins the passes, once circles have what they carry on from the step before. */
     public void begin() {
-        team.run(workers, begin);
-    }
-
-    private void beginHere() {
         waking.keep();
         bodies.touches = 0;
         bodies.touchesStay = true;
-        sensing.beginWithoutCircles(bodies, input);
-        passes.begin(input.constants.sleeping ? input.sleep.rows : null);
+        run(Part.BEGIN);
     }
 
     /** Begins a sub-step: what drives bodies. */
     public void driveBodies() {
-        team.run(workers, driveBodies);
-    }
-
-    private void driveBodiesHere() {
-        passes.integrateVelocities();
+        run(Part.DRIVE_BODIES);
     }
 
     /** Visits joints, and contacts of bodies with each other and with what is no circle, with bias. */
     public void solveBodies(int sub) {
         subStep = sub;
-        team.run(workers, solveBodies);
-    }
-
-    private void solveBodiesHere() {
-        passes.solve(subStep);
+        run(Part.SOLVE_BODIES);
     }
 
     /** Visits contacts with circles, which have ended their biased pass. */
     public void solveCircles() {
-        team.run(workers, solveCircles);
-    }
-
-    private void solveCirclesHere() {
-        passes.solveCircles();
+        run(Part.SOLVE_CIRCLES);
     }
 
     /** Moves bodies, behind circles, and visits joints and contacts of bodies without bias. */
     public void relaxBodies(int sub, boolean ofLast) {
         subStep = sub;
         last = ofLast;
-        team.run(workers, relaxBodies);
-    }
-
-    private void relaxBodiesHere() {
-        passes.integratePositions(subStep);
-        passes.relax(subStep, last);
+        run(Part.RELAX_BODIES);
     }
 
     /** Visits contacts with circles, which have ended their relaxing pass. */
     public void relaxCircles() {
-        team.run(workers, relaxCircles);
-    }
-
-    private void relaxCirclesHere() {
-        passes.relaxCircles(last);
+        run(Part.RELAX_CIRCLES);
     }
 
     /** Bodies take what they have become. */
     public void end() {
-        team.run(workers, end);
-    }
-
-    private void endHere() {
-        passes.end();
-        states.endStep();
+        run(Part.END);
     }
 
     // ---- sensors

@@ -5,6 +5,7 @@ import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.bodies.WakingByBodies;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.StepConstants;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -14,7 +15,24 @@ import java.util.Arrays;
  * circles that sleep the host tells the device, and from ring to ring each of both tells the other one whom it has woken. A step may be refused after
  * that: then bodies sleep as before.
  */
-final class HostWaking implements WakingByBodies.Circles {
+public final class HostWaking implements WakingByBodies.Circles {
+    /** Words of a circle that sleeps, as bodies tell a device of it, and that of them: see the next ones. */
+    public static final int SLEEPER_WORDS = 12;
+
+    public static final int SLEEPER_SLOT = 0;
+
+    /** The speed that wakes it, or reaches it in a ring. */
+    public static final int SLEEPER_SPEED = 1;
+
+    /** From the device: the speed that has woken it. */
+    public static final int SLEEPER_WOKEN_BY = 2;
+
+    /** From the device: negative if it has woken, else what loads it. */
+    public static final int SLEEPER_PRESSING = 3;
+
+    /** The four sums of what presses it, each the lower half first. */
+    public static final int SLEEPER_SUMS = 4;
+
     private final State state;
     private final WakingByBodies bodies;
     private final SleeperSums sums;
@@ -62,14 +80,12 @@ final class HostWaking implements WakingByBodies.Circles {
         count = 0;
         bodies.begin(step, k);
         for (int c = bodies.first(); c < bodies.count(); c++) {
-            int slot = state.slotOf[bodies.circle(c)];
+            bodies.show(c);
+            int slot = state.slotOf[bodies.circle()];
             if (slot >= state.awake) {
                 int at = look(slot);
-                float j = bodies.impulse(c);
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, bodies.grip(c), 0f);
-                float v = bodies.approach(c);
-                float hit = sums.hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j);
-                speed[at] = CircleMath.max(speed[at], hit);
+                sums.press(slot, bodies, 1f);
+                speed[at] = CircleMath.max(speed[at], sums.hit(slot, bodies));
             }
         }
         for (int slot = state.awake; slot < state.n; slot++) {
@@ -106,30 +122,27 @@ final class HostWaking implements WakingByBodies.Circles {
     private void pressByResting(int slot) {
         for (int e = bodies.firstOf(state.id[slot]); e >= 0; e = bodies.next(e)) {
             look(slot);
-            int c = bodies.measure(e);
-            if (c >= 0) {
-                float j = bodies.impulse(c) * k.warmScale;
-                float f = bodies.grip(c) * k.warmScale;
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, f, 0f);
+            if (bodies.measure(e)) {
+                sums.press(slot, bodies, k.warmScale);
             }
         }
     }
 
     /** How many circles the device is told of. */
-    int count() {
+    public int count() {
         return count;
     }
 
-    /** Puts what presses them and is about to push them, in rows of words as {@link HostBodies#SLEEPER_WORDS}. */
+    /** Puts what presses them and is about to push them, in rows of words as {@link #SLEEPER_WORDS}. */
     void put(IntBuffer to, int at, int[] deviceSlot) {
         for (int n = 0; n < count; n++) {
-            int row = at + HostBodies.SLEEPER_WORDS * n;
-            to.put(row + HostBodies.SLEEPER_SLOT, deviceSlot[slots[n]]);
-            to.put(row + HostBodies.SLEEPER_SPEED, Float.floatToRawIntBits(speed[n]));
+            int row = at + SLEEPER_WORDS * n;
+            to.put(row + SLEEPER_SLOT, deviceSlot[slots[n]]);
+            to.put(row + SLEEPER_SPEED, Float.floatToRawIntBits(speed[n]));
             for (int which = 0; which < SleeperSums.COUNT; which++) {
                 long sum = sums.fixed(state.id[slots[n]], which);
-                to.put(row + HostBodies.SLEEPER_SUMS + 2 * which, (int) sum);
-                to.put(row + HostBodies.SLEEPER_SUMS + 2 * which + 1, (int) (sum >> Integer.SIZE));
+                to.put(row + SLEEPER_SUMS + 2 * which, (int) sum);
+                to.put(row + SLEEPER_SUMS + 2 * which + 1, (int) (sum >> Integer.SIZE));
             }
         }
     }
@@ -137,27 +150,27 @@ final class HostWaking implements WakingByBodies.Circles {
     // ---- rings
 
     /** Takes which circles the device has woken in a ring, the first of which is 0. */
-    void take(IntBuffer from, int at, int inRing) {
+    public void take(IntBuffer from, int at, int inRing) {
         for (int n = 0; n < count; n++) {
-            int row = at + HostBodies.SLEEPER_WORDS * n;
-            int pressing = from.get(row + HostBodies.SLEEPER_PRESSING);
+            int row = at + SLEEPER_WORDS * n;
+            int pressing = from.get(row + SLEEPER_PRESSING);
             speed[n] = 0f;
             if (pressing >= 0) {
                 load[n] = Float.intBitsToFloat(pressing);
             } else if (ring[n] < 0) {
                 ring[n] = inRing;
-                woke[n] = Float.intBitsToFloat(from.get(row + HostBodies.SLEEPER_WOKEN_BY));
+                woke[n] = Float.intBitsToFloat(from.get(row + SLEEPER_WOKEN_BY));
             }
         }
     }
 
     /** Whether bodies have woken in the ring before. */
-    boolean hasRing() {
+    public boolean hasRing() {
         return bodies.hasRing();
     }
 
     /** What has woken bodies, and circles among these, in the ring before reaches others. */
-    void passOn(int inRing) {
+    public void passOn(int inRing) {
         bodies.beginRing();
         bodies.passOn(this);
         for (int n = 0; n < count; n++) {
@@ -166,6 +179,13 @@ final class HostWaking implements WakingByBodies.Circles {
             }
         }
         bodies.endRing();
+    }
+
+    /** Makes all rings if no circle sleeps at bodies. */
+    public void passOnAlone() {
+        for (int inRing = 1; inRing < Sleep.RINGS && hasRing(); inRing++) {
+            passOn(inRing);
+        }
     }
 
     @Override
@@ -178,14 +198,14 @@ final class HostWaking implements WakingByBodies.Circles {
     }
 
     /** Puts what reaches circles in a ring. */
-    void putReached(IntBuffer to, int at) {
+    public void putReached(IntBuffer to, int at) {
         for (int n = 0; n < count; n++) {
-            to.put(at + HostBodies.SLEEPER_WORDS * n + HostBodies.SLEEPER_SPEED, Float.floatToRawIntBits(speed[n]));
+            to.put(at + SLEEPER_WORDS * n + SLEEPER_SPEED, Float.floatToRawIntBits(speed[n]));
         }
     }
 
     /** Wakes all bodies that are to wake; returns whether there are any. */
-    boolean end() {
+    public boolean end() {
         return bodies.end();
     }
 
@@ -213,7 +233,7 @@ final class HostWaking implements WakingByBodies.Circles {
     }
 
     /** The step is refused: if bodies have begun to wake, nothing has happened. */
-    void undo() {
+    public void undo() {
         if (!begun) {
             return;
         }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.jvm;
 
+import io.github.circles2d.world.jvm.bodies.WakingByBodies;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
@@ -52,6 +53,12 @@ final class SleeperSums {
         add(slot, side * (x * j - y * f), side * (y * j + x * f), load, -f + side * rolling / radius(slot));
     }
 
+    /** The same of the contact with a body that is shown, whose impulses get a scale. */
+    void press(int slot, WakingByBodies bodies, float scale) {
+        float j = bodies.impulse() * scale;
+        press(slot, bodies.side(), bodies.nx(), bodies.ny(), j, j, bodies.grip() * scale, 0f);
+    }
+
     void add(int slot, float x, float y, float load, float spin) {
         float scale = CrossRule.scaleOf(range(slot));
         int at = COUNT * state.id[slot];
@@ -98,6 +105,11 @@ final class SleeperSums {
                 gainOfStep(slot),
                 radius(slot),
                 k.dt);
+    }
+
+    /** The same of the contact with a body that is shown. */
+    float hit(int slot, WakingByBodies bodies) {
+        return hit(slot, bodies.inverseMass(), bodies.approach(), bodies.gap(), bodies.restitution(), bodies.impulse());
     }
 
     /** What of the speed that woke another one reaches a circle that this presses with j, of all that loads it, or that is a gap away. */

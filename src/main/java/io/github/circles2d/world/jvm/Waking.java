@@ -330,13 +330,12 @@ final class Waking implements WakingByBodies.Circles {
     /** Circles near to bodies: these may hit them, and press them. */
     private void lookAtPushed() {
         for (int c = bodies.first(); c < bodies.count(); c++) {
-            int id = bodies.circle(c);
+            bodies.show(c);
+            int id = bodies.circle();
             if (look(id)) {
                 int slot = state.slotOf[id];
-                float j = bodies.impulse(c);
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, bodies.grip(c), 0f);
-                float v = bodies.approach(c);
-                push(id, sums.hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j));
+                sums.press(slot, bodies, 1f);
+                push(id, sums.hit(slot, bodies));
             }
         }
     }
@@ -534,11 +533,8 @@ final class Waking implements WakingByBodies.Circles {
             }
         }
         for (int e = bodies == null ? -1 : bodies.firstOf(id); e >= 0; e = bodies.next(e)) {
-            int c = bodies.measure(e);
-            if (c >= 0) {
-                float j = bodies.impulse(c) * k.warmScale;
-                float f = bodies.grip(c) * k.warmScale;
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, f, 0f);
+            if (bodies.measure(e)) {
+                sums.press(slot, bodies, k.warmScale);
             }
         }
         for (int entry = joints == null ? 0 : joints.first(id);

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.reads;
 
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.SavedRigids;
@@ -129,14 +130,10 @@ public final class CircleContacts {
     }
 
     private void addBodies(int id) {
-        SavedRigids of = state.rigids;
-        for (int c = 0; c < of.contacts; c++) {
-            int at = RigidStep.KEYS * c;
-            float impulse = of.contactImpulses[RigidStep.IMPULSES * c + RigidStep.NORMAL];
-            if (of.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_CIRCLE
-                    && of.contactKeys[at + RigidStep.B] == id
-                    && impulse > 0f) {
-                addBody(of, of.contactKeys[at + RigidStep.A], of.contactKeys[at + RigidStep.FORM_AND_FEATURE], impulse);
+        KeptContacts of = state.rigids.contacts;
+        for (int c = 0; c < of.count; c++) {
+            if (of.type(c) == RigidStep.BODY_CIRCLE && of.b(c) == id && of.impulse(c) > 0f) {
+                addBody(state.rigids, of.a(c), of.formAndFeature(c), of.impulse(c));
             }
         }
     }
@@ -154,8 +151,8 @@ public final class CircleContacts {
         float nx;
         float ny;
         float between;
-        int feature = formAndFeature & RigidStep.FEATURE;
-        if (formAndFeature >> RigidStep.FORM_SHIFT == RigidStep.SWAPPED) {
+        int feature = KeptContacts.feature(formAndFeature);
+        if (KeptContacts.form(formAndFeature) == KeptContacts.SWAPPED) {
             float[] lines = shape.lines();
             int line = OutlineShape.LINE_STRIDE * feature;
             nx = lines[line + OutlineShape.NX];

@@ -1,7 +1,7 @@
 package io.github.circles2d.world.reads;
 
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.RigidStep;
-import io.github.circles2d.world.bodies.SavedRigids;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
@@ -34,7 +34,7 @@ public final class Loads {
             float subStep = world.settings.lastSubStep();
             addWalls(state, subStep, loads);
             addPieces(state, subStep, loads);
-            addBodies(state.rigids, subStep, loads);
+            addBodies(state.rigids.contacts, subStep, loads);
             for (int k = 0; k < state.impulses; k++) {
                 float force = state.normalImpulse[k] / subStep;
                 add(loads, state.lo[k], force);
@@ -77,12 +77,10 @@ public final class Loads {
         }
     }
 
-    private static void addBodies(SavedRigids of, float subStep, float[] loads) {
-        for (int c = 0; c < of.contacts; c++) {
-            int at = RigidStep.KEYS * c;
-            float impulse = of.contactImpulses[RigidStep.IMPULSES * c + RigidStep.NORMAL];
-            if (of.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_CIRCLE && impulse > 0f) {
-                add(loads, of.contactKeys[at + RigidStep.B], impulse / subStep);
+    private static void addBodies(KeptContacts of, float subStep, float[] loads) {
+        for (int c = 0; c < of.count; c++) {
+            if (of.type(c) == RigidStep.BODY_CIRCLE && of.impulse(c) > 0f) {
+                add(loads, of.b(c), of.impulse(c) / subStep);
             }
         }
     }

@@ -1,7 +1,5 @@
 package io.github.circles2d.world.reads;
 
-import io.github.circles2d.world.bodies.OutlineShape;
-import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.RigidTable;
@@ -17,63 +15,19 @@ public final class RigidReads {
     private static final int STRIDE = 3;
 
     private final WorldParts world;
-    private final RigidTable table;
-    private final RigidStep bodies;
+    public final RigidTable table;
+    public final RigidStep step;
 
     public RigidReads(WorldParts world) {
         this.world = world;
         table = world.rigids;
-        bodies = table.step;
+        step = table.step;
     }
 
-    private int require(long handle) {
+    /** The id of a body, which is there; callers read {@link #table} and {@link #step} by it. */
+    public int require(long handle) {
         world.guard.check();
         return world.rigid(handle);
-    }
-
-    public OutlineShape outline(long handle) {
-        return bodies.outline[require(handle)];
-    }
-
-    public float x(long handle) {
-        return bodies.x[require(handle)];
-    }
-
-    public float y(long handle) {
-        return bodies.y[require(handle)];
-    }
-
-    /** In radians, at least -pi and less than pi. */
-    public float angle(long handle) {
-        return Surface.radians(bodies.angle[require(handle)]);
-    }
-
-    public float vx(long handle) {
-        return bodies.vx[require(handle)];
-    }
-
-    public float vy(long handle) {
-        return bodies.vy[require(handle)];
-    }
-
-    public float angularVelocity(long handle) {
-        return bodies.omega[require(handle)];
-    }
-
-    public float mass(long handle) {
-        return table.mass(require(handle));
-    }
-
-    public float inertia(long handle) {
-        return table.inertia(require(handle));
-    }
-
-    public float restitution(long handle) {
-        return bodies.restitution[require(handle)];
-    }
-
-    public int kind(long handle) {
-        return bodies.kind[require(handle)];
     }
 
     /** Whether a body does not sleep. */
@@ -82,7 +36,7 @@ public final class RigidReads {
         try {
             int body = world.rigid(handle);
             world.pending.settle();
-            return !bodies.isAsleep(body);
+            return !step.isAsleep(body);
         } finally {
             world.guard.leave();
         }
@@ -93,33 +47,10 @@ public final class RigidReads {
         world.guard.enter();
         try {
             world.pending.settle();
-            return bodies.awake();
+            return step.awake();
         } finally {
             world.guard.leave();
         }
-    }
-
-    /** The exclusion group; 0 for none. */
-    public int group(long handle) {
-        return bodies.extras.get(require(handle), RigidExtras.GROUP);
-    }
-
-    /** The force that is set, along x. */
-    public float forceX(long handle) {
-        return bodies.extras.real(require(handle), RigidExtras.FORCE_X);
-    }
-
-    public float forceY(long handle) {
-        return bodies.extras.real(require(handle), RigidExtras.FORCE_Y);
-    }
-
-    /** The torque that is set. */
-    public float torque(long handle) {
-        return bodies.extras.real(require(handle), RigidExtras.TORQUE);
-    }
-
-    public long tag(long handle) {
-        return table.tag(require(handle));
     }
 
     /** Three elements an id: x, y, the angle in radians; living, with a bit an id, may be null. */
@@ -129,9 +60,9 @@ public final class RigidReads {
             beginById("bodies", poses, living);
             for (int id = 0; id < table.ids.end(); id++) {
                 if (table.ids.lives(id)) {
-                    poses[STRIDE * id] = bodies.x[id];
-                    poses[STRIDE * id + 1] = bodies.y[id];
-                    poses[STRIDE * id + 2] = Surface.radians(bodies.angle[id]);
+                    poses[STRIDE * id] = step.x[id];
+                    poses[STRIDE * id + 1] = step.y[id];
+                    poses[STRIDE * id + 2] = Surface.radians(step.angle[id]);
                 }
             }
         } finally {
@@ -171,9 +102,9 @@ public final class RigidReads {
             beginById("velocities", velocities, living);
             for (int id = 0; id < table.ids.end(); id++) {
                 if (table.ids.lives(id)) {
-                    velocities[STRIDE * id] = bodies.vx[id];
-                    velocities[STRIDE * id + 1] = bodies.vy[id];
-                    velocities[STRIDE * id + 2] = bodies.omega[id];
+                    velocities[STRIDE * id] = step.vx[id];
+                    velocities[STRIDE * id + 1] = step.vy[id];
+                    velocities[STRIDE * id + 2] = step.omega[id];
                 }
             }
         } finally {
@@ -211,7 +142,6 @@ public final class RigidReads {
     }
 
     // ---- events
-    // ------------------------------------------------------------------------------------------------------
 
     /** Sets whether somebody is told of touches. */
     public void report(boolean on) {

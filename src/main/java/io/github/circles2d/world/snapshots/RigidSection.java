@@ -1,5 +1,6 @@
 package io.github.circles2d.world.snapshots;
 
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidLimits;
@@ -35,13 +36,12 @@ final class RigidSection {
     /** Flags, outline, kind, values. */
     private static final int LEAST_BODY = 4;
 
-    private static final int REST_OF_KEY = RigidStep.KEYS - RigidStep.TOUCH_KEYS;
-    private static final int LEAST_CONTACT = 3 + Integer.BYTES * (REST_OF_KEY + RigidStep.IMPULSES);
+    private static final int REST_OF_KEY = KeptContacts.KEYS - RigidStep.TOUCH_KEYS;
+    private static final int LEAST_CONTACT = 3 + Integer.BYTES * (REST_OF_KEY + KeptContacts.IMPULSES);
 
     private RigidSection() {}
 
     // ---- writing
-    // -----------------------------------------------------------------------------------------------------
 
     /** The length of the section behind its number. */
     static long bytes(SavedRigids r) {
@@ -58,8 +58,8 @@ final class RigidSection {
                 sum += Integer.BYTES * Integer.bitCount(values);
             }
         }
-        for (int k = 0; k < r.contacts; k++) {
-            sum += pairBytes(r.contactKeys, RigidStep.KEYS * k) + LEAST_CONTACT - 3;
+        for (int k = 0; k < r.contacts.count; k++) {
+            sum += pairBytes(r.contacts.keys, KeptContacts.KEYS * k) + LEAST_CONTACT - 3;
         }
         for (int k = 0; k < r.touching; k++) {
             sum += pairBytes(r.touchingKeys, RigidStep.TOUCH_KEYS * k);
@@ -100,16 +100,12 @@ final class RigidSection {
                 writeBody(r, body, out);
             }
         }
-        out.putInt(r.contacts);
-        for (int k = 0; k < r.contacts; k++) {
-            int at = RigidStep.KEYS * k;
-            writePair(r.contactKeys, at, out);
-            for (int key = RigidStep.TOUCH_KEYS; key < RigidStep.KEYS; key++) {
-                out.putInt(r.contactKeys[at + key]);
-            }
-            for (int i = 0; i < RigidStep.IMPULSES; i++) {
-                out.putFloat(r.contactImpulses[RigidStep.IMPULSES * k + i]);
-            }
+        KeptContacts contacts = r.contacts;
+        out.putInt(contacts.count);
+        for (int k = 0; k < contacts.count; k++) {
+            writePair(contacts.keys, KeptContacts.KEYS * k, out);
+            out.putInt(contacts.formAndFeature(k)).putInt(contacts.featureOfB(k));
+            out.putFloat(contacts.impulse(k)).putFloat(contacts.grip(k));
         }
         out.putInt(r.touching);
         for (int k = 0; k < r.touching; k++) {
@@ -136,7 +132,6 @@ final class RigidSection {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /** Reads the section behind its number, and checks it. */
     static void read(ByteBuffer in, SavedState s) {
@@ -307,35 +302,39 @@ final class RigidSection {
         int count = getInt(in);
         SnapshotCodec.require(
                 count >= 0 && (long) LEAST_CONTACT * count <= in.remaining(), "it cannot hold so many contacts");
-        r.setContacts(count);
+        KeptContacts contacts = r.contacts;
+        contacts.ensure(count);
+        contacts.count = count;
         for (int k = 0; k < count; k++) {
-            int at = RigidStep.KEYS * k;
-            readPair(in, s, r.contactKeys, at, false);
+            int at = KeptContacts.KEYS * k;
+            readPair(in, s, contacts.keys, at, false);
             SnapshotCodec.require(
-                    in.remaining() >= Integer.BYTES * (REST_OF_KEY + RigidStep.IMPULSES), "it ends within a contact");
-            for (int key = RigidStep.TOUCH_KEYS; key < RigidStep.KEYS; key++) {
-                r.contactKeys[at + key] = in.getInt();
-            }
-            requireOrder(r.contactKeys, RigidStep.KEYS, k);
+                    in.remaining() >= Integer.BYTES * (REST_OF_KEY + KeptContacts.IMPULSES),
+                    "it ends within a contact");
+            contacts.keys[at + KeptContacts.FORM_AND_FEATURE] = in.getInt();
+            contacts.keys[at + KeptContacts.FEATURE_OF_B] = in.getInt();
+            requireOrder(contacts.keys, KeptContacts.KEYS, k);
             SnapshotCodec.require(
-                    hasFeature(r, r.contactKeys[at + RigidStep.A], r.contactKeys[at + RigidStep.FORM_AND_FEATURE]),
-                    "a contact is at no part of its body");
-            for (int i = 0; i < RigidStep.IMPULSES; i++) {
-                float least = i == RigidStep.NORMAL ? 0f : -Limits.CACHED_IMPULSE;
-                r.contactImpulses[RigidStep.IMPULSES * k + i] =
-                        Limits.within("an impulse of a body", in.getFloat(), least, Limits.CACHED_IMPULSE);
-            }
+                    hasFeature(r, contacts.a(k), contacts.formAndFeature(k)), "a contact is at no part of its body");
+            contacts.impulses[KeptContacts.IMPULSES * k] = readImpulse(in, 0f);
+            contacts.impulses[KeptContacts.IMPULSES * k + 1] = readImpulse(in, -Limits.CACHED_IMPULSE);
         }
     }
 
+    private static float readImpulse(ByteBuffer in, float least) {
+        return Limits.within("an impulse of a body", in.getFloat(), least, Limits.CACHED_IMPULSE);
+    }
+
+    /** Whether the body of a contact has a feature. */
     private static boolean hasFeature(SavedRigids r, int body, int formAndFeature) {
         OutlineShape shape = r.outlines[r.outline[body]];
-        int form = formAndFeature >> RigidStep.FORM_SHIFT;
-        int feature = formAndFeature & RigidStep.FEATURE;
-        int there = form == RigidStep.SWAPPED
+        int form = KeptContacts.form(formAndFeature);
+        int there = form == KeptContacts.SWAPPED
                 ? shape.lines().length / OutlineShape.LINE_STRIDE
                 : shape.corners().length / OutlineShape.CORNER_STRIDE;
-        return form >= RigidStep.CORNER_ON_LINE && form <= RigidStep.BOTH && feature < there;
+        return form >= KeptContacts.CORNER_ON_LINE
+                && form <= KeptContacts.BOTH
+                && KeptContacts.feature(formAndFeature) < there;
     }
 
     private static void readTouching(ByteBuffer in, SavedState s) {

@@ -7,6 +7,7 @@ import io.github.circles2d.Bodies;
 import io.github.circles2d.Outline;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.SavedRigids;
@@ -86,11 +87,11 @@ class RigidSectionTest {
     @Test
     void bodiesTouchAllThatTheyLieOn() {
         SavedRigids saved = saved();
-        assertThat(saved.contacts).isPositive();
+        assertThat(saved.contacts.count).isPositive();
         for (int type = RigidStep.BODY_BODY; type <= RigidStep.BODY_CIRCLE; type++) {
             boolean some = false;
-            for (int k = 0; k < saved.contacts; k++) {
-                some |= saved.contactKeys[RigidStep.KEYS * k] == type;
+            for (int k = 0; k < saved.contacts.count; k++) {
+                some |= saved.contacts.type(k) == type;
             }
             assertThat(some).as("contacts of type " + type).isTrue();
         }
@@ -125,9 +126,9 @@ class RigidSectionTest {
         refused("torque", s -> set(s, SavedRigids.TORQUE, Float.POSITIVE_INFINITY));
         refused("force", s -> set(s, SavedRigids.EXTRAS + RigidExtras.FORCE_Y, -2e18f));
         refused("torque", s -> set(s, SavedRigids.EXTRAS + RigidExtras.TORQUE, Float.NaN));
-        refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.A] = GONE);
-        refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.B] = 7);
-        refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.TYPE] = 9);
+        refused("nothing that it touches", s -> s.rigids.contacts.keys[RigidStep.A] = GONE);
+        refused("nothing that it touches", s -> s.rigids.contacts.keys[RigidStep.B] = 7);
+        refused("nothing that it touches", s -> s.rigids.contacts.keys[RigidStep.TYPE] = 9);
         refused("nothing that it touches", s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3 + RigidStep.B] = 5);
         refused(
                 "nothing that it touches",
@@ -135,11 +136,15 @@ class RigidSectionTest {
         refused(
                 "nothing that it touches", // since no wall is sensed
                 s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3] = RigidStep.SENSED + RigidStep.BODY_WALL);
-        refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.TYPE] += RigidStep.SENSED);
-        refused("not in order", s -> s.rigids.contactKeys[RigidStep.KEYS + RigidStep.KEYS - 2] = Integer.MIN_VALUE);
-        refused("at no part", s -> s.rigids.contactKeys[RigidStep.FORM_AND_FEATURE] += 1 << RigidStep.FORM_SHIFT - 1);
-        refused("an impulse of a body", s -> s.rigids.contactImpulses[0] = -1);
-        refused("an impulse of a body", s -> s.rigids.contactImpulses[1] = Float.NaN);
+        refused("nothing that it touches", s -> s.rigids.contacts.keys[RigidStep.TYPE] += RigidStep.SENSED);
+        refused(
+                "not in order",
+                s -> s.rigids.contacts.keys[KeptContacts.KEYS + KeptContacts.KEYS - 2] = Integer.MIN_VALUE);
+        refused(
+                "at no part",
+                s -> s.rigids.contacts.keys[KeptContacts.FORM_AND_FEATURE] += KeptContacts.formAndFeature(1, 0) >> 1);
+        refused("an impulse of a body", s -> s.rigids.contacts.impulses[0] = -1);
+        refused("an impulse of a body", s -> s.rigids.contacts.impulses[1] = Float.NaN);
         refused("never does", s -> rest(s, RigidExtras.REST, 3));
         refused("never does", s -> {
             sleep(s);

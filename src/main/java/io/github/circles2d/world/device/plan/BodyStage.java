@@ -6,6 +6,7 @@ import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.BodyArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.jvm.HostBodies;
+import io.github.circles2d.world.jvm.HostWaking;
 import io.github.circles2d.world.model.Sleep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -66,12 +67,12 @@ final class BodyStage {
                 .define("BODY_NEAR_WORDS", HostBodies.NEAR_WORDS)
                 .define("BODY_SENSED_WORDS", HostBodies.SENSED_WORDS)
                 .define("BODY_SLEEPERS", SLEEPERS)
-                .define("BODY_SLEEPER_WORDS", HostBodies.SLEEPER_WORDS)
-                .define("SLEEPER_SLOT", HostBodies.SLEEPER_SLOT)
-                .define("SLEEPER_SPEED", HostBodies.SLEEPER_SPEED)
-                .define("SLEEPER_WOKEN_BY", HostBodies.SLEEPER_WOKEN_BY)
-                .define("SLEEPER_PRESSING", HostBodies.SLEEPER_PRESSING)
-                .define("SLEEPER_SUMS", HostBodies.SLEEPER_SUMS)
+                .define("BODY_SLEEPER_WORDS", HostWaking.SLEEPER_WORDS)
+                .define("SLEEPER_SLOT", HostWaking.SLEEPER_SLOT)
+                .define("SLEEPER_SPEED", HostWaking.SLEEPER_SPEED)
+                .define("SLEEPER_WOKEN_BY", HostWaking.SLEEPER_WOKEN_BY)
+                .define("SLEEPER_PRESSING", HostWaking.SLEEPER_PRESSING)
+                .define("SLEEPER_SUMS", HostWaking.SLEEPER_SUMS)
                 .define("BODY_ROW_WORDS", HostBodies.ROW_WORDS);
     }
 
@@ -98,7 +99,7 @@ final class BodyStage {
         }
         boolean goesOn = findContacts(warmScale, circles);
         if (!goesOn) {
-            bodies.undoWaking();
+            bodies.waking.undo();
         }
         return goesOn;
     }
@@ -170,7 +171,7 @@ final class BodyStage {
             return;
         }
         bodies.beginWaking();
-        int sleepers = circlesSleep ? bodies.sleepers() : 0;
+        int sleepers = circlesSleep ? bodies.waking.count() : 0;
         if (sleepers > 0) {
             arrays.ensure(arrays.sleepers, sleeperBytes(sleepers));
             bodies.putSleepers(arrays.host().ints(), SLEEPERS);
@@ -185,11 +186,9 @@ final class BodyStage {
             if (circlesSleep) {
                 sleep.spread(1, Sleep.RINGS, 0);
             }
-            for (int ring = 1; ring < Sleep.RINGS && bodies.hasRing(); ring++) {
-                bodies.passOn(ring);
-            }
+            bodies.waking.passOnAlone();
         }
-        bodies.endWaking();
+        bodies.waking.end();
         if (circlesSleep) {
             sleep.keep(circles);
         }
@@ -198,9 +197,9 @@ final class BodyStage {
     private void spread(SleepStage sleep, int sleepers) {
         sleep.spread(1, 1, sleepers);
         int woken = receiveSleepers(sleepers, 0);
-        for (int ring = 1; ring < Sleep.RINGS && (woken > 0 || bodies.hasRing()); ring++) {
-            bodies.passOn(ring);
-            bodies.putReached(arrays.host().ints(), SLEEPERS);
+        for (int ring = 1; ring < Sleep.RINGS && (woken > 0 || bodies.waking.hasRing()); ring++) {
+            bodies.waking.passOn(ring);
+            bodies.waking.putReached(arrays.host().ints(), SLEEPERS);
             sendSleepers(sleepers);
             sleep.spread(ring, ring + 1, sleepers);
             woken = receiveSleepers(sleepers, ring);
@@ -214,7 +213,7 @@ final class BodyStage {
     /** Returns how many circles have woken in the ring. */
     private int receiveSleepers(int sleepers, int ring) {
         arrays.receive(arrays.sleepers, sleeperBytes(sleepers));
-        bodies.takeWoken(arrays.host().ints(), SLEEPERS, ring);
+        bodies.waking.take(arrays.host().ints(), SLEEPERS, ring);
         return arrays.host().ints().get(0);
     }
 
@@ -249,7 +248,7 @@ final class BodyStage {
     }
 
     private static long sleeperBytes(int sleepers) {
-        return bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers);
+        return bytes(SLEEPERS + (long) HostWaking.SLEEPER_WORDS * sleepers);
     }
 
     private long rowBytes() {

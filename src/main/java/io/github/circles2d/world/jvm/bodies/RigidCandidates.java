@@ -67,10 +67,10 @@ final class RigidCandidates {
         }
     }
 
-    /** Searches if bodies have left their wide boxes, or are others; near: by body, half of its part of a margin. */
-    void update(float[] near) {
+    /** Searches if bodies have left their wide boxes, or are others. */
+    void update() {
         if (!hold()) {
-            widen(near);
+            widen();
             tree.build(things.bodies);
             Arrays.fill(foundCount, 0);
             team.together(search);
@@ -88,14 +88,14 @@ final class RigidCandidates {
                     && box[b + 1] >= wide[b + 1]
                     && box[b + 2] <= wide[b + 2]
                     && box[b + 3] <= wide[b + 3];
-            if (!inside || ids[t] != things.id[t]) {
+            if (!inside || ids[t] != things.all[t].id) {
                 return false;
             }
         }
         return true;
     }
 
-    private void widen(float[] near) {
+    private void widen() {
         count = things.bodies;
         periodX = state.periodX;
         periodY = state.periodY;
@@ -103,12 +103,12 @@ final class RigidCandidates {
         float[] wide = tree.box;
         for (int t = 0; t < count; t++) {
             int b = 4 * t;
-            float more = SLACK * things.thin[t] + WAYS * near[t];
+            float more = SLACK * things.all[t].thin + WAYS * things.all[t].near;
             wide[b] = box[b] - more;
             wide[b + 1] = box[b + 1] - more;
             wide[b + 2] = box[b + 2] + more;
             wide[b + 3] = box[b + 3] + more;
-            ids[t] = things.id[t];
+            ids[t] = things.all[t].id;
         }
     }
 

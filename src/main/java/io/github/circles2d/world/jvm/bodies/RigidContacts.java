@@ -1,10 +1,9 @@
 package io.github.circles2d.world.jvm.bodies;
 
-import static io.github.circles2d.world.bodies.RigidStep.BOTH;
-import static io.github.circles2d.world.bodies.RigidStep.CORNER_ON_LINE;
-import static io.github.circles2d.world.bodies.RigidStep.FEATURE;
-import static io.github.circles2d.world.bodies.RigidStep.SWAPPED;
+import static io.github.circles2d.world.bodies.KeptContacts.CORNER_ON_LINE;
+import static io.github.circles2d.world.bodies.KeptContacts.SWAPPED;
 
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.StepConstants;
@@ -15,47 +14,30 @@ import java.util.Arrays;
  * corner is over the line, and the line's normal, reversed, is in the corner's cone; or if the way between two corners is in both cones.
  */
 final class RigidContacts {
-    /** Ints of a pair in {@link #foundPairs}: its number, the end of its contacts, and its contacts of the step before. */
-    private static final int PAIR_STRIDE = 4;
-
-    private final RigidPairs pairs;
-    private final RigidThings things;
+    private final RigidPairs near;
     private final Team team;
     final RigidMeasures measures;
 
     /** By worker. */
     private final RigidFeatures[] finders;
 
-    /** By worker: the pairs that have contacts, by {@link #PAIR_STRIDE}. */
-    private final int[][] foundPairs;
+    /** By piece of the work: how many pairs have contacts, and how many contacts; then the first ones among all. */
+    private int[] ofPiece = new int[0];
 
-    private final int[] foundCount;
-
-    // by piece of the work: its first pair and contact among those of its worker, and among all
-    private int[] firstFound = new int[0];
-    private int[] firstPair = new int[0];
+    /** In the order of the keys of {@link KeptContacts}. */
+    RigidContact[] all = {};
 
     int count;
 
-    /** Things: who has the corner, and the other. */
-    int[] a = new int[0];
-
-    int[] b = new int[0];
-
-    /** As {@link RigidFeatures} has found them. */
-    private int[] features = new int[0];
-
-    /** The numbers of a contact, by {@link RigidRow}. */
-    float[] rows = new float[0];
-
-    /** By pair: its first contact; behind the last pair, the number of contacts. */
-    int[] firstOf = new int[1];
-
-    /** By pair that has contacts: its number in {@link RigidPairs}. */
-    int[] pair = new int[0];
+    /** Those that have contacts, in order. */
+    RigidPair[] pairs = {};
 
     int pairCount;
 
+    /** The contact that has been measured last by {@link #probe}. */
+    private final RigidContact probed = new RigidContact();
+
+    /** By contact of the step before: whether another one has its impulses. */
     private boolean[] used = new boolean[0];
 
     // within a step
@@ -66,16 +48,13 @@ final class RigidContacts {
     private final Team.Work fill = this::fill;
     private final Team.Share keep = this::keep;
 
-    RigidContacts(RigidPairs pairs, Team team) {
-        this.pairs = pairs;
+    RigidContacts(RigidPairs near, Team team) {
+        this.near = near;
         this.team = team;
-        things = pairs.things;
-        measures = new RigidMeasures(this, things);
+        measures = new RigidMeasures(near.things);
         finders = new RigidFeatures[team.most()];
-        foundPairs = new int[team.most()][0];
-        foundCount = new int[team.most()];
         for (int worker = 0; worker < finders.length; worker++) {
-            finders[worker] = new RigidFeatures(pairs);
+            finders[worker] = new RigidFeatures(near.things);
         }
     }
 
@@ -87,90 +66,73 @@ final class RigidContacts {
         k = constants;
         measures.begin(k.h);
         int pieces = team.pieces();
-        if (firstPair.length < 2 * (pieces + 1)) {
-            firstFound = new int[2 * (pieces + 1)];
-            firstPair = new int[2 * (pieces + 1)];
+        if (ofPiece.length < 2 * pieces) {
+            ofPiece = new int[2 * pieces];
         }
-        if (used.length < step.contacts) {
-            used = new boolean[step.contactKeys.length / RigidStep.KEYS];
+        if (used.length < step.contacts.count) {
+            used = new boolean[step.contacts.count + (step.contacts.count >> 1)];
         }
         team.together(findFeatures);
         pairCount = 0;
         count = 0;
-        for (int piece = 0; piece < pieces; piece++) {
-            int itsPairs = firstPair[2 * piece];
-            int itsContacts = firstPair[2 * piece + 1];
-            firstPair[2 * piece] = pairCount;
-            firstPair[2 * piece + 1] = count;
+        for (int piece = 0; piece < 2 * pieces; piece += 2) {
+            int itsPairs = ofPiece[piece];
+            int itsContacts = ofPiece[piece + 1];
+            ofPiece[piece] = pairCount;
+            ofPiece[piece + 1] = count;
             pairCount += itsPairs;
             count += itsContacts;
         }
-        if (pair.length < pairCount) {
-            pair = new int[pairCount + (pairCount >> 1)];
-            firstOf = new int[pair.length + 1];
+        if (pairs.length < pairCount) {
+            pairs = new RigidPair[pairCount + (pairCount >> 1)];
         }
-        grow(count);
-        firstOf[pairCount] = count;
+        if (all.length < count) {
+            all = new RigidContact[count + (count >> 1)];
+        }
         team.together(fill);
     }
 
     private void findFeatures(int worker) {
         RigidFeatures finder = finders[worker];
-        finder.begin(step, k.dt);
-        foundCount[worker] = 0;
+        finder.begin(step.contacts, k.dt);
         for (int round = 0; round < team.rounds(); round++) {
             int piece = 2 * team.piece(worker, round);
-            int beforePairs = foundCount[worker];
-            int beforeContacts = finder.count;
-            findFeatures(worker, team.from(pairs.count, worker, round), team.to(pairs.count, worker, round));
-            firstFound[piece] = beforePairs;
-            firstFound[piece + 1] = beforeContacts;
-            firstPair[piece] = foundCount[worker] - beforePairs;
-            firstPair[piece + 1] = finder.count - beforeContacts;
+            int before = finder.count;
+            ofPiece[piece] =
+                    findFeatures(finder, team.from(near.count, worker, round), team.to(near.count, worker, round));
+            ofPiece[piece + 1] = finder.count - before;
         }
     }
 
-    private void findFeatures(int worker, int from, int to) {
-        RigidFeatures finder = finders[worker];
-        int old = from < to ? firstOld(pairs.a[from], pairs.b[from]) : 0;
+    /** Returns how many pairs have contacts. */
+    private int findFeatures(RigidFeatures finder, int from, int to) {
+        int some = 0;
+        int old = from < to ? firstOld(near.all[from]) : 0;
         for (int p = from; p < to; p++) {
-            int t = pairs.a[p];
-            int other = pairs.b[p];
-            while (old < step.contacts && compare(old, t, other) < 0) {
+            RigidPair pair = near.all[p];
+            while (old < step.contacts.count && compare(old, pair) < 0) {
                 old++;
             }
-            int end = old;
-            while (end < step.contacts && compare(end, t, other) == 0) {
-                end++;
+            pair.firstOld = old;
+            while (old < step.contacts.count && compare(old, pair) == 0) {
+                old++;
             }
-            int before = finder.count;
-            finder.find(p, old, end);
-            if (finder.count > before) {
-                note(worker, p, finder.count, old, end);
-            }
-            old = end;
+            pair.endOld = old;
+            pair.begin = finder.count;
+            finder.find(pair);
+            pair.end = finder.count;
+            some += pair.end > pair.begin ? 1 : 0;
         }
-    }
-
-    private void note(int worker, int p, int end, int old, int oldEnd) {
-        int at = PAIR_STRIDE * foundCount[worker]++;
-        if (at == foundPairs[worker].length) {
-            foundPairs[worker] = Arrays.copyOf(foundPairs[worker], Math.max(64 * PAIR_STRIDE, 2 * at));
-        }
-        int[] to = foundPairs[worker];
-        to[at] = p;
-        to[at + 1] = end;
-        to[at + 2] = old;
-        to[at + 3] = oldEnd;
+        return some;
     }
 
     /** The first contact of the step before that is not before a pair. */
-    private int firstOld(int t, int other) {
+    private int firstOld(RigidPair pair) {
         int low = 0;
-        int high = step.contacts;
+        int high = step.contacts.count;
         while (low < high) {
             int middle = low + high >>> 1;
-            if (compare(middle, t, other) < 0) {
+            if (compare(middle, pair) < 0) {
                 low = middle + 1;
             } else {
                 high = middle;
@@ -180,140 +142,81 @@ final class RigidContacts {
     }
 
     /** An old contact and a pair, by their keys. */
-    private int compare(int old, int t, int other) {
-        return RigidStep.compare(
-                step.contactKeys, RigidStep.KEYS * old, things.type[other], things.id[t], things.id[other]);
-    }
-
-    /** Makes room for contacts, and keeps those that are there. */
-    private void grow(int needed) {
-        if (a.length < needed) {
-            int n = needed + (needed >> 1);
-            a = Arrays.copyOf(a, n);
-            b = Arrays.copyOf(b, n);
-            features = Arrays.copyOf(features, RigidFeatures.STRIDE * n);
-            rows = Arrays.copyOf(rows, RigidRow.of(n));
-        }
+    private int compare(int old, RigidPair pair) {
+        return step.contacts.compare(old, pair.b.type, pair.a.id, pair.b.id);
     }
 
     /** Brings what a worker has found to its place among all. */
     private void fill(int worker) {
+        RigidContact[] found = finders[worker].found;
         for (int round = 0; round < team.rounds(); round++) {
             int piece = 2 * team.piece(worker, round);
-            int from = PAIR_STRIDE * firstFound[piece];
-            int end = round + 1 < team.rounds()
-                    ? PAIR_STRIDE * firstFound[2 * team.piece(worker, round + 1)]
-                    : PAIR_STRIDE * foundCount[worker];
-            int p = firstPair[piece];
-            int c = firstPair[piece + 1];
-            int f = firstFound[piece + 1];
-            for (int at = from; at < end; at += PAIR_STRIDE) {
-                int[] of = foundPairs[worker];
-                pair[p] = of[at];
-                firstOf[p++] = c;
-                int begin = c;
-                while (f < of[at + 1]) {
-                    int[] found = finders[worker].found;
-                    System.arraycopy(
-                            found,
-                            RigidFeatures.STRIDE * f++,
-                            features,
-                            RigidFeatures.STRIDE * c,
-                            RigidFeatures.STRIDE);
-                    place(c++, of[at]);
+            int p = ofPiece[piece];
+            int c = ofPiece[piece + 1];
+            int to = team.to(near.count, worker, round);
+            for (int n = team.from(near.count, worker, round); n < to; n++) {
+                RigidPair pair = near.all[n];
+                if (pair.end > pair.begin) {
+                    pairs[p++] = pair;
+                    int contacts = pair.end - pair.begin;
+                    System.arraycopy(found, pair.begin, all, c, contacts);
+                    pair.begin = c;
+                    c += contacts;
+                    pair.end = c;
+                    begin(pair);
                 }
-                Arrays.fill(used, of[at + 2], of[at + 3], false);
-                take(begin, c, of[at + 2], of[at + 3]);
             }
         }
     }
 
-    /** Places a contact of a pair, whose features are known. */
-    private void place(int c, int p) {
-        boolean swapped = RigidFeatures.form(first(c)) == SWAPPED;
-        a[c] = swapped ? pairs.b[p] : pairs.a[p];
-        b[c] = swapped ? pairs.a[p] : pairs.b[p];
-        int row = RigidRow.of(c);
-        Arrays.fill(rows, row, row + RigidRow.STRIDE, 0f);
-        rows[row + RigidRow.OX] = swapped ? -pairs.ox[p] : pairs.ox[p];
-        rows[row + RigidRow.OY] = swapped ? -pairs.oy[p] : pairs.oy[p];
-    }
-
-    /** A number of a contact, by {@link RigidRow}. */
-    float value(int c, int which) {
-        return rows[RigidRow.of(c) + which];
-    }
-
-    /** The corner of A. */
-    int corner(int c) {
-        return features[RigidFeatures.STRIDE * c + RigidFeatures.CORNER];
-    }
-
-    /** The line of B, or its corner. */
-    int feature(int c) {
-        return features[RigidFeatures.STRIDE * c + RigidFeatures.OTHER];
-    }
-
-    boolean isLine(int c) {
-        return RigidFeatures.form(first(c)) != BOTH;
-    }
-
-    private int first(int c) {
-        return features[RigidFeatures.STRIDE * c + RigidFeatures.FIRST];
-    }
-
-    private int second(int c) {
-        return features[RigidFeatures.STRIDE * c + RigidFeatures.SECOND];
-    }
-
     /** Whether two contacts of a pair share a corner or a line. */
-    private static boolean shareFeature(int first, int second, int otherFirst, int otherSecond) {
-        int form = RigidFeatures.form(first);
-        int otherForm = RigidFeatures.form(otherFirst);
-        boolean same = (first & FEATURE) == (otherFirst & FEATURE);
-        return same && (form == SWAPPED) == (otherForm == SWAPPED)
-                || second == otherSecond && (form == CORNER_ON_LINE) == (otherForm == CORNER_ON_LINE);
+    private static boolean shareFeature(int first, int second, RigidContact other) {
+        int form = KeptContacts.form(first);
+        boolean same = KeptContacts.feature(first) == KeptContacts.feature(other.first);
+        return same && (form == SWAPPED) == (other.form() == SWAPPED)
+                || second == other.second && (form == CORNER_ON_LINE) == (other.form() == CORNER_ON_LINE);
     }
 
     // ---- impulses
 
     /** Measures the contacts of a pair, and gives them the impulses of the step before. */
-    private void take(int from, int to, int old, int end) {
-        for (int c = from; c < to; c++) {
+    private void begin(RigidPair pair) {
+        KeptContacts known = step.contacts;
+        Arrays.fill(used, pair.firstOld, pair.endOld, false);
+        for (int n = pair.begin; n < pair.end; n++) {
+            RigidContact c = all[n];
+            c.begin(pair);
             measures.measure(c);
-            for (int o = old; o < end; o++) {
-                int at = RigidStep.KEYS * o + RigidStep.B;
-                if (step.contactKeys[at + 1] == first(c) && step.contactKeys[at + 2] == second(c)) {
+            for (int o = pair.firstOld; o < pair.endOld; o++) {
+                if (known.formAndFeature(o) == c.first && known.featureOfB(o) == c.second) {
                     take(c, o);
                 }
             }
         }
         // a corner that has gone on to another feature takes along what it had
-        for (int c = from; c < to; c++) {
-            for (int o = old; o < end && rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f; o++) {
-                int at = RigidStep.KEYS * o + RigidStep.B;
+        for (int n = pair.begin; n < pair.end; n++) {
+            RigidContact c = all[n];
+            for (int o = pair.firstOld; o < pair.endOld && c.impulse == 0f; o++) {
                 if (!used[o]
-                        && step.contactImpulses[RigidStep.IMPULSES * o + RigidStep.NORMAL] > 0f
-                        && shareFeature(step.contactKeys[at + 1], step.contactKeys[at + 2], first(c), second(c))) {
+                        && known.impulse(o) > 0f
+                        && shareFeature(known.formAndFeature(o), known.featureOfB(o), c)) {
                     take(c, o);
                 }
             }
         }
     }
 
-    private void take(int c, int old) {
-        int row = RigidRow.of(c);
-        float scale = k.warmScale;
-        rows[row + RigidRow.IMPULSE] = scale * step.contactImpulses[RigidStep.IMPULSES * old + RigidStep.NORMAL];
-        rows[row + RigidRow.GRIP] = scale * step.contactImpulses[RigidStep.IMPULSES * old + RigidStep.NORMAL + 1];
+    private void take(RigidContact c, int old) {
+        c.impulse = k.warmScale * step.contacts.impulse(old);
+        c.grip = k.warmScale * step.contacts.grip(old);
         used[old] = true;
     }
 
     /** Keeps the contacts for the next step, and those of what rests. */
     void keep(RigidResting rests) {
-        step.ensureContacts(count + rests.count);
-        if (rests.count == 0) {
-            step.contacts = count;
+        step.contacts.ensure(count + rests.kept.count);
+        if (rests.kept.count == 0) {
+            step.contacts.count = count;
             team.share(pairCount, 0, keep);
         } else {
             keepAmong(rests);
@@ -321,118 +224,82 @@ final class RigidContacts {
     }
 
     private void keepAmong(RigidResting rests) {
-        step.contacts = 0;
+        step.contacts.count = 0;
         int rest = 0;
         for (int p = 0; p < pairCount; p++) {
-            int t = pairs.a[pair[p]];
-            int other = pairs.b[pair[p]];
-            rest = rests.keepBefore(step, rest, things.type[other], things.id[t], things.id[other]);
-            for (int c = firstOf[p]; c < firstOf[p + 1]; c++) {
-                keep(c, t, other, step.contacts++);
-            }
+            RigidPair pair = pairs[p];
+            rest = rests.keepBefore(step, rest, pair.b.type, pair.a.id, pair.b.id);
+            keep(pair, step.contacts.count);
+            step.contacts.count += pair.end - pair.begin;
         }
         rests.keepBefore(step, rest, Integer.MAX_VALUE, 0, 0);
     }
 
     private void keep(int worker, int from, int end) {
         for (int p = from; p < end; p++) {
-            int t = pairs.a[pair[p]];
-            int other = pairs.b[pair[p]];
-            for (int c = firstOf[p]; c < firstOf[p + 1]; c++) {
-                keep(c, t, other, c);
-            }
+            keep(pairs[p], pairs[p].begin);
         }
     }
 
-    private void keep(int c, int t, int other, int place) {
-        int at = RigidStep.KEYS * place;
-        step.contactKeys[at + RigidStep.TYPE] = things.type[other];
-        step.contactKeys[at + RigidStep.A] = things.id[t];
-        step.contactKeys[at + RigidStep.B] = things.id[other];
-        step.contactKeys[at + RigidStep.FORM_AND_FEATURE] = first(c);
-        step.contactKeys[at + RigidStep.FEATURE_OF_B] = second(c);
-        int to = RigidStep.IMPULSES * place + RigidStep.NORMAL;
-        step.contactImpulses[to] = rows[RigidRow.of(c) + RigidRow.IMPULSE];
-        step.contactImpulses[to + 1] = rows[RigidRow.of(c) + RigidRow.GRIP];
+    /** Keeps the contacts of a pair at a place and behind it. */
+    private void keep(RigidPair pair, int place) {
+        for (int n = pair.begin; n < pair.end; n++) {
+            RigidContact c = all[n];
+            int to = place + n - pair.begin;
+            step.contacts.set(to, pair.b.type, pair.a.id, pair.b.id, c.first, c.second, c.impulse, c.grip);
+        }
     }
 
-    /** Measures a contact of the step before that no pair has now, behind all others, without counting it; false if a thing has no such feature. */
-    boolean probe(RigidStep of, int o) {
-        int at = RigidStep.KEYS * o;
-        int form = RigidFeatures.form(of.contactKeys[at + RigidStep.FORM_AND_FEATURE]);
-        int ofOther = of.contactKeys[at + RigidStep.FEATURE_OF_B];
-        pairs.probe(
-                of.contactKeys[at + RigidStep.A],
-                of.contactKeys[at + RigidStep.TYPE],
-                of.contactKeys[at + RigidStep.B]);
-        int t = pairs.a[pairs.count];
-        int other = pairs.b[pairs.count];
-        boolean line = form == CORNER_ON_LINE;
-        if (ofOther < 0 || ofOther >= (line ? things.lines[other] : things.corners[other])) {
-            return false;
+    /** Measures a contact of the step before that no pair has now; null if a thing has no such feature. It counts until the next call. */
+    RigidContact probe(KeptContacts of, int o) {
+        RigidPair pair = near.probe(of.a(o), of.type(o), of.b(o));
+        RigidContact c = probed;
+        c.first = of.formAndFeature(o);
+        c.second = of.featureOfB(o);
+        boolean swapped = c.form() == SWAPPED;
+        boolean line = c.form() == CORNER_ON_LINE;
+        int firstOfB = line ? pair.b.firstLine : pair.b.firstCorner;
+        if (c.second < 0 || c.second >= (line ? pair.b.endLine : pair.b.endCorner) - firstOfB) {
+            return null;
         }
-        int c = count;
-        grow(c + 1);
-        int ofA = (form == SWAPPED ? things.firstLine[t] : things.firstCorner[t])
-                + (of.contactKeys[at + RigidStep.FORM_AND_FEATURE] & FEATURE);
-        int ofB = (line ? things.firstLine[other] : things.firstCorner[other]) + ofOther;
-        int its = RigidFeatures.STRIDE * c;
-        features[its + RigidFeatures.CORNER] = form == SWAPPED ? ofB : ofA;
-        features[its + RigidFeatures.OTHER] = form == SWAPPED ? ofA : ofB;
-        features[its + RigidFeatures.FIRST] = of.contactKeys[at + RigidStep.FORM_AND_FEATURE];
-        features[its + RigidFeatures.SECOND] = ofOther;
-        place(c, pairs.count);
+        int ofA = (swapped ? pair.a.firstLine : pair.a.firstCorner) + KeptContacts.feature(c.first);
+        int ofB = firstOfB + c.second;
+        c.corner = swapped ? ofB : ofA;
+        c.feature = swapped ? ofA : ofB;
+        c.begin(pair);
         measures.measure(c);
-        int from = RigidStep.IMPULSES * o + RigidStep.NORMAL;
-        rows[RigidRow.of(c) + RigidRow.IMPULSE] = of.contactImpulses[from];
-        rows[RigidRow.of(c) + RigidRow.GRIP] = of.contactImpulses[from + 1];
-        return true;
+        c.impulse = of.impulse(o);
+        c.grip = of.grip(o);
+        return c;
     }
 
-    /** Leaves out contacts, before they have impulses of the step. */
-    void removeMarked(boolean[] gone) {
+    /** Leaves out the contacts that are not to begin, before they have impulses of the step. */
+    void removeCovered() {
         int to = 0;
         int toPair = 0;
-        int from = 0; // of a run of contacts that stay
-        int run = 0; // where it goes
         for (int p = 0; p < pairCount; p++) {
+            RigidPair pair = pairs[p];
             int begin = to;
-            for (int c = firstOf[p]; c < firstOf[p + 1]; c++) {
-                if (gone[c]) {
-                    move(from, run, c - from);
-                    from = c + 1;
-                    run = to;
-                } else {
-                    to++;
+            for (int n = pair.begin; n < pair.end; n++) {
+                if (!all[n].covered) {
+                    all[to++] = all[n];
                 }
             }
+            pair.begin = begin;
+            pair.end = to;
             if (to > begin) {
-                pair[toPair] = pair[p];
-                firstOf[toPair++] = begin;
+                pairs[toPair++] = pair;
             }
         }
-        move(from, run, count - from);
         pairCount = toPair;
         count = to;
-        firstOf[pairCount] = count;
-    }
-
-    private void move(int from, int to, int n) {
-        if (from == to || n == 0) {
-            return;
-        }
-        System.arraycopy(a, from, a, to, n);
-        System.arraycopy(b, from, b, to, n);
-        int stride = RigidFeatures.STRIDE;
-        System.arraycopy(features, stride * from, features, stride * to, stride * n);
-        System.arraycopy(rows, RigidRow.of(from), rows, RigidRow.of(to), RigidRow.of(n));
     }
 
     long bytes() {
-        long sum = 4L * (firstFound.length + firstPair.length);
-        for (int worker = 0; worker < finders.length; worker++) {
-            sum += finders[worker].bytes() + 4L * foundPairs[worker].length;
+        long sum = 4L * (ofPiece.length + all.length + pairs.length) + used.length;
+        for (RigidFeatures each : finders) {
+            sum += each.bytes();
         }
-        return sum + 4L * (2L + RigidFeatures.STRIDE + RigidRow.STRIDE) * a.length + 8L * pair.length + used.length;
+        return sum;
     }
 }

@@ -39,8 +39,6 @@ final class RigidCover {
     /** By contact and side: the normal of its plane, towards that thing, and a point on it, against the thing's place. */
     private float[] plane = new float[0];
 
-    private boolean[] gone = new boolean[0];
-
     /** By worker: whether it has found some contacts without impulse, or marked some. */
     private final boolean[] some;
 
@@ -56,110 +54,103 @@ final class RigidCover {
 
     /** Removes the contacts that do not begin. */
     void apply() {
-        int n = contacts.count;
         if (head.length < things.count) {
             head = new int[2 * things.count];
         }
-        if (gone.length < n) {
-            gone = new boolean[2 * n];
-            next = new int[4 * n];
-            lies = new byte[4 * n];
-            plane = new float[PLANE_STRIDE * 4 * n];
+        if (next.length < 2 * contacts.count) {
+            next = new int[4 * contacts.count];
+            lies = new byte[4 * contacts.count];
+            plane = new float[PLANE_STRIDE * 4 * contacts.count];
         }
         team.share(things.count, 0, list);
-        boolean idle = false;
-        for (int worker = 0; worker < team.size(); worker++) {
-            idle |= some[worker];
-        }
-        if (!idle) {
-            return;
-        }
-        team.share(contacts.count, 0, mark);
-        for (int worker = 0; worker < team.size(); worker++) {
-            if (some[worker]) {
-                contacts.removeMarked(gone);
-                return;
+        if (haveSome()) {
+            team.share(contacts.count, 0, mark);
+            if (haveSome()) {
+                contacts.removeCovered();
             }
         }
+    }
+
+    private boolean haveSome() {
+        boolean have = false;
+        for (int worker = 0; worker < team.size(); worker++) {
+            have |= some[worker];
+        }
+        return have;
     }
 
     /** Lists the planes of a worker's things, and notes whether contacts have no impulse. */
     private void list(int worker, int from, int end) {
         Arrays.fill(head, from, end, -1);
         boolean idle = false;
-        for (int c = 0; c < contacts.count; c++) {
-            int a = contacts.a[c];
-            int b = contacts.b[c];
-            boolean ofA = a >= from && a < end;
-            boolean ofB = b >= from && b < end;
+        for (int n = 0; n < contacts.count; n++) {
+            RigidContact c = contacts.all[n];
+            boolean ofA = c.a.number >= from && c.a.number < end;
+            boolean ofB = c.b.number >= from && c.b.number < end;
             if (!ofA && !ofB) {
                 continue;
             }
-            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine(c)) {
-                if (ofA) {
-                    add(2 * c, a, b);
+            if (c.impulse > 0f && c.isLine()) {
+                if (ofA && mayRest(c.a, c, c.b)) {
+                    add(2 * n, c.a, c.nx, c.ny, c.ax, c.ay);
                 }
-                if (ofB) {
-                    add(2 * c + 1, b, a);
+                if (ofB && mayRest(c.b, c, c.a)) {
+                    add(2 * n + 1, c.b, -c.nx, -c.ny, c.bx, c.by);
                 }
             } else {
-                idle |= contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f;
+                idle |= c.impulse == 0f;
             }
         }
         some[worker] = idle;
     }
 
-    /** Adds a pressed contact on a line to those on which a thing may rest. */
-    private void add(int side, int t, int other) {
-        if (things.shape[t] != null
-                && things.w[t] > 0f
-                && contacts.rows[RigidRow.of(side >> 1) + RigidRow.GAP] <= 0.5f * slack(t)
-                && things.type[other] != RigidStep.BODY_CIRCLE) {
-            float[] rows = contacts.rows;
-            int row = RigidRow.of(side >> 1);
-            boolean isA = (side & 1) == 0;
-            int at = PLANE_STRIDE * side;
-            plane[at] = isA ? rows[row + RigidRow.NX] : -rows[row + RigidRow.NX];
-            plane[at + 1] = isA ? rows[row + RigidRow.NY] : -rows[row + RigidRow.NY];
-            plane[at + 2] = rows[row + (isA ? RigidRow.AX : RigidRow.BX)];
-            plane[at + 3] = rows[row + (isA ? RigidRow.AY : RigidRow.BY)];
-            lies[side] = 0;
-            next[side] = head[t];
-            head[t] = side;
-        }
+    /** Whether a thing may rest on another one at a pressed contact on a line. */
+    private static boolean mayRest(RigidThing t, RigidContact c, RigidThing other) {
+        return t.shape != null && t.w > 0f && c.gap <= 0.5f * slack(t) && other.type != RigidStep.BODY_CIRCLE;
     }
 
-    private float slack(int t) {
-        return Tuning.COVER * things.thin[t];
+    /** Adds a plane to those on which a thing may rest. */
+    private void add(int side, RigidThing t, float nx, float ny, float x, float y) {
+        int at = PLANE_STRIDE * side;
+        plane[at] = nx;
+        plane[at + 1] = ny;
+        plane[at + 2] = x;
+        plane[at + 3] = y;
+        lies[side] = 0;
+        next[side] = head[t.number];
+        head[t.number] = side;
+    }
+
+    private static float slack(RigidThing t) {
+        return Tuning.COVER * t.thin;
     }
 
     private void mark(int worker, int from, int end) {
         boolean found = false;
-        for (int c = from; c < end; c++) {
-            gone[c] = contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f
-                    && (isCovered(c, contacts.a[c]) || isCovered(c, contacts.b[c]));
-            found |= gone[c];
+        for (int n = from; n < end; n++) {
+            RigidContact c = contacts.all[n];
+            c.covered = c.impulse == 0f && (isCovered(c, c.a) || isCovered(c, c.b));
+            found |= c.covered;
         }
         some[worker] = found;
     }
 
     /** Whether a thing has a pressed contact that is a plane over which what it meets by c is no higher. */
-    private boolean isCovered(int c, int t) {
-        boolean ownCorner = contacts.a[c] == t;
-        boolean meetsLine = ownCorner && contacts.isLine(c);
-        int its = ownCorner ? contacts.feature(c) : contacts.corner(c);
-        if (head[t] < 0 || meetsLine && (things.isHollow(its) || things.type[contacts.b[c]] == RigidStep.BODY_WALL)) {
+    private boolean isCovered(RigidContact c, RigidThing t) {
+        boolean ownCorner = c.a == t;
+        boolean meetsLine = ownCorner && c.isLine();
+        int its = ownCorner ? c.feature : c.corner;
+        if (head[t.number] < 0 || meetsLine && (things.isHollow(its) || c.b.type == RigidStep.BODY_WALL)) {
             return false;
         }
         float slack = slack(t);
-        int row = RigidRow.of(c);
-        float nx = ownCorner ? contacts.rows[row + RigidRow.NX] : -contacts.rows[row + RigidRow.NX];
-        float ny = ownCorner ? contacts.rows[row + RigidRow.NY] : -contacts.rows[row + RigidRow.NY];
+        float nx = ownCorner ? c.nx : -c.nx;
+        float ny = ownCorner ? c.ny : -c.ny;
         // the place of the other thing, against that of this one
         float sign = ownCorner ? -1f : 1f;
-        float x = sign * (contacts.rows[row + RigidRow.OX] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]]));
-        float y = sign * (contacts.rows[row + RigidRow.OY] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]]));
-        for (int side = head[t]; side >= 0; side = next[side]) {
+        float x = sign * c.x();
+        float y = sign * c.y();
+        for (int side = head[t.number]; side >= 0; side = next[side]) {
             int at = PLANE_STRIDE * side;
             if (nx * plane[at] + ny * plane[at + 1] <= SAME
                     && (meetsLine ? isLineUnder(at, its, x, y, slack) : isCornerUnder(at, its, x, y, slack))
@@ -170,7 +161,7 @@ final class RigidCover {
         return false;
     }
 
-    private boolean liesAbove(int side, int t, float slack) {
+    private boolean liesAbove(int side, RigidThing t, float slack) {
         if (lies[side] == 0) {
             int at = PLANE_STRIDE * side;
             lies[side] = isAbove(t, plane[at], plane[at + 1], plane[at + 2], plane[at + 3], slack) ? ABOVE : BELOW;
@@ -207,8 +198,8 @@ final class RigidCover {
     }
 
     /** Whether a thing is wholly above a plane through a point. */
-    private boolean isAbove(int t, float nx, float ny, float px, float py, float slack) {
-        for (int k = things.firstCorner[t]; k < things.firstCorner[t] + things.corners[t]; k++) {
+    private boolean isAbove(RigidThing t, float nx, float ny, float px, float py, float slack) {
+        for (int k = t.firstCorner; k < t.endCorner; k++) {
             int at = RigidThings.corner(k);
             float x = things.turnedCorner[at] - px + things.bentX(k, -nx, -ny);
             float y = things.turnedCorner[at + 1] - py + things.bentY(k, -nx, -ny);
@@ -224,6 +215,6 @@ final class RigidCover {
     }
 
     long bytes() {
-        return 4L * (head.length + next.length + plane.length) + gone.length + lies.length;
+        return 4L * (head.length + next.length + plane.length) + lies.length;
     }
 }

@@ -32,7 +32,7 @@ final class RigidCrossing {
     }
 
     /** Whether lines of a thing cross those of another one, from whose place it is (x, y) away; touch: the two have contacts. */
-    boolean find(int t, int other, float x, float y, boolean touch) {
+    boolean find(RigidThing t, RigidThing other, float x, float y, boolean touch) {
         greatestSine = touch ? GREATEST_SINE : 2f;
         corner = -1;
         least = Float.NEGATIVE_INFINITY;
@@ -43,9 +43,8 @@ final class RigidCrossing {
         return corner >= 0;
     }
 
-    private void cornersOnLines(int t, int other, float x, float y, boolean areSwapped) {
-        int end = things.firstLine[other] + things.lines[other];
-        for (int l = things.firstLine[other]; l < end; l++) {
+    private void cornersOnLines(RigidThing t, RigidThing other, float x, float y, boolean areSwapped) {
+        for (int l = other.firstLine; l < other.endLine; l++) {
             if (!things.isHollow(l) && crosses(t, l, x, y)) {
                 take(t, l, x, y, areSwapped);
             }
@@ -53,13 +52,13 @@ final class RigidCrossing {
     }
 
     /** Whether a line crosses one of a thing. */
-    private boolean crosses(int t, int l, float x, float y) {
+    private boolean crosses(RigidThing t, int l, float x, float y) {
         float[] lines = things.turnedLine;
         int to = RigidThings.line(l);
         float nx = lines[to + NX];
         float ny = lines[to + NY];
         float length = lines[to + LENGTH];
-        for (int m = things.firstLine[t]; m < things.firstLine[t] + things.lines[t]; m++) {
+        for (int m = t.firstLine; m < t.endLine; m++) {
             if (things.isHollow(m)) {
                 continue;
             }
@@ -85,7 +84,7 @@ final class RigidCrossing {
     }
 
     /** Takes the deepest corner of a thing behind a line, if that is less deep than what has been taken. */
-    private void take(int t, int l, float x, float y, boolean areSwapped) {
+    private void take(RigidThing t, int l, float x, float y, boolean areSwapped) {
         float[] lines = things.turnedLine;
         float[] corners = things.turnedCorner;
         int to = RigidThings.line(l);
@@ -93,7 +92,7 @@ final class RigidCrossing {
         float ny = lines[to + NY];
         int deepest = -1;
         float apart = Float.POSITIVE_INFINITY;
-        for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
+        for (int c = t.firstCorner; c < t.endCorner; c++) {
             int at = RigidThings.corner(c);
             float rx = x + corners[at] - lines[to];
             float ry = y + corners[at + 1] - lines[to + 1];

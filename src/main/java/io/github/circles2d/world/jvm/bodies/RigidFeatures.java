@@ -1,17 +1,16 @@
 package io.github.circles2d.world.jvm.bodies;
 
+import static io.github.circles2d.world.bodies.KeptContacts.BOTH;
+import static io.github.circles2d.world.bodies.KeptContacts.CORNER_ON_LINE;
+import static io.github.circles2d.world.bodies.KeptContacts.SWAPPED;
 import static io.github.circles2d.world.bodies.OutlineShape.BEND;
 import static io.github.circles2d.world.bodies.OutlineShape.LENGTH;
 import static io.github.circles2d.world.bodies.OutlineShape.NX;
 import static io.github.circles2d.world.bodies.OutlineShape.NY;
 import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
 import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
-import static io.github.circles2d.world.bodies.RigidStep.BOTH;
-import static io.github.circles2d.world.bodies.RigidStep.CORNER_ON_LINE;
-import static io.github.circles2d.world.bodies.RigidStep.FORM_SHIFT;
-import static io.github.circles2d.world.bodies.RigidStep.SWAPPED;
 
-import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.model.CircleMath;
 import java.util.Arrays;
@@ -33,74 +32,56 @@ final class RigidFeatures {
     /** How deep a body in front of a one-way piece may be in it, in half thicknesses. */
     private static final float ROUNDED = 1e-4f;
 
-    /** Ints of a contact that was found: its corner, the line or corner of the other, the form with the feature of the pair's first thing, the feature of its second one. */
-    static final int STRIDE = 4;
-
-    static final int CORNER = 0;
-    static final int OTHER = 1;
-    static final int FIRST = 2;
-    static final int SECOND = 3;
-
-    private final RigidPairs pairs;
     private final RigidThings things;
     private final RigidCrossing crossing;
 
-    int[] found = new int[0];
+    /** Those that have been found in the step, of all pairs. */
+    RigidContact[] found = {};
+
     int count;
 
-    /** The contacts that a pair had before. */
-    private RigidStep known;
-
-    private int knownFrom;
-    private int knownTo;
+    // within a step; it has the contacts that pairs had before
+    private KeptContacts known;
     private float dt;
 
-    // of the thing whose corners meet another one: where it is, how near they may have contacts, within which angle
-    // beyond
-    // their cones, whether one of both comes fast, and whether the thing is the second one of the pair
+    // of the thing whose corners meet another one: the pair, where it is, within which angle beyond their cones they
+    // may
+    // have contacts, whether one of both comes fast, and whether the thing is the second one of the pair
+    private RigidPair pair;
     private float x;
     private float y;
-    private float margin;
     private float tolerance;
     private boolean fast;
     private boolean swapped;
 
-    RigidFeatures(RigidPairs pairs) {
-        this.pairs = pairs;
-        things = pairs.things;
+    RigidFeatures(RigidThings things) {
+        this.things = things;
         crossing = new RigidCrossing(things);
     }
 
     /** Begins a step, in which nothing has been found. */
-    void begin(RigidStep step, float timeStep) {
-        known = step;
+    void begin(KeptContacts ofStepBefore, float timeStep) {
+        known = ofStepBefore;
         dt = timeStep;
         count = 0;
     }
 
-    static int form(int first) {
-        return first >> FORM_SHIFT;
-    }
-
-    /** Finds the contacts of a pair, which had some of those of the step before, and adds them in order to those found. */
-    void find(int p, int old, int end) {
-        int from = count;
-        int t = pairs.a[p];
-        int other = pairs.b[p];
-        knownFrom = old;
-        knownTo = end;
-        if (end > old || !things.oneWay[other] || isInFront(p, t, other)) {
-            findOfPair(p, t, other);
+    /** Finds the contacts of a pair, and adds them in order to those found. */
+    void find(RigidPair of) {
+        pair = of;
+        if (pair.endOld > pair.firstOld || !pair.b.oneWay || isInFront(pair.a, pair.b)) {
+            int from = count;
+            findOfPair(pair.a, pair.b);
             sort(from);
         }
     }
 
     /** Whether a body is wholly in front of a piece that lets pass what comes from behind. */
-    private boolean isInFront(int p, int t, int piece) {
-        float slack = ROUNDED * things.thin[t];
-        float x = pairs.ox[p] + (things.dx[t] - things.dx[piece]);
-        float y = pairs.oy[p] + (things.dy[t] - things.dy[piece]);
-        for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
+    private boolean isInFront(RigidThing t, RigidThing piece) {
+        float slack = ROUNDED * t.thin;
+        float x = pair.x();
+        float y = pair.y();
+        for (int c = t.firstCorner; c < t.endCorner; c++) {
             int at = RigidThings.corner(c);
             float px = x + things.turnedCorner[at];
             float py = y + things.turnedCorner[at + 1];
@@ -112,16 +93,16 @@ final class RigidFeatures {
     }
 
     /** How far the core of a corner is in front of a piece, against whose place it is; an arc has its circle. */
-    private float frontOf(int piece, int c, float px, float py) {
-        if (things.lines[piece] == 0) {
-            int at = RigidThings.corner(things.firstCorner[piece]);
+    private float frontOf(RigidThing piece, int c, float px, float py) {
+        if (piece.firstLine == piece.endLine) {
+            int at = RigidThings.corner(piece.firstCorner);
             return fromCentre(c, px - things.turnedCorner[at], py - things.turnedCorner[at + 1], -1f)
                     - things.turnedCorner[at + RADIUS];
         }
-        int line = RigidThings.line(things.firstLine[piece]);
+        int line = RigidThings.line(piece.firstLine);
         float rx = px - things.turnedLine[line];
         float ry = py - things.turnedLine[line + 1];
-        if (things.isHollow(things.firstLine[piece])) {
+        if (things.isHollow(piece.firstLine)) {
             return -1f * things.turnedLine[line + LENGTH] - fromCentre(c, rx, ry, 1f);
         }
         float nx = things.turnedLine[line + NX];
@@ -142,13 +123,12 @@ final class RigidFeatures {
         return CircleMath.length(x + things.bentX(c, nx, ny), y + things.bentY(c, nx, ny));
     }
 
-    private void findOfPair(int p, int t, int other) {
+    private void findOfPair(RigidThing t, RigidThing other) {
         int from = count;
-        margin = pairs.margin[p];
-        float atX = pairs.ox[p] + (things.dx[t] - things.dx[other]);
-        float atY = pairs.oy[p] + (things.dy[t] - things.dy[other]);
-        if (things.reach[other] < Float.POSITIVE_INFINITY
-                && CircleMath.isLonger(atX, atY, (things.reach[t] + things.reach[other]) + 1.125f * margin)) {
+        float atX = pair.x();
+        float atY = pair.y();
+        if (other.reach < Float.POSITIVE_INFINITY
+                && CircleMath.isLonger(atX, atY, (t.reach + other.reach) + 1.125f * pair.margin)) {
             return;
         }
         swapped = false;
@@ -156,7 +136,7 @@ final class RigidFeatures {
         swapped = true;
         cornersOf(other, t, -atX, -atY);
         boolean touch = count > from;
-        if (things.shape[other] != null && (!touch || areOpposed(from)) && crossing.find(t, other, atX, atY, touch)) {
+        if (other.shape != null && (!touch || areOpposed(from)) && crossing.find(t, other, atX, atY, touch)) {
             count = from;
             swapped = crossing.swapped;
             add(swapped ? other : t, swapped ? t : other, crossing.corner, crossing.line, true);
@@ -167,13 +147,13 @@ final class RigidFeatures {
     private boolean areOpposed(int from) {
         float firstX = 0f;
         float firstY = 0f;
-        for (int at = STRIDE * from; at < STRIDE * count; at += STRIDE) {
-            int form = form(found[at + FIRST]);
-            if (form == BOTH || things.isHollow(found[at + OTHER])) {
+        for (int n = from; n < count; n++) {
+            RigidContact c = found[n];
+            if (!c.isLine() || things.isHollow(c.feature)) {
                 continue;
             }
-            int line = RigidThings.line(found[at + OTHER]);
-            float side = form == SWAPPED ? -1f : 1f;
+            int line = RigidThings.line(c.feature);
+            float side = c.form() == SWAPPED ? -1f : 1f;
             float nx = side * things.turnedLine[line + NX];
             float ny = side * things.turnedLine[line + NY];
             if (nx * firstX + ny * firstY < 0f) {
@@ -188,52 +168,40 @@ final class RigidFeatures {
     }
 
     /** Corners of one thing, and lines of another, from which the first one is so far away; and both things' corners, unless swapped. */
-    private void cornersOf(int t, int other, float atX, float atY) {
+    private void cornersOf(RigidThing t, RigidThing other, float atX, float atY) {
         x = atX;
         y = atY;
-        float m = margin;
+        float m = pair.margin;
         float[] corner = things.turnedCorner;
-        float vx = things.vx[t];
-        float vy = things.vy[t];
-        float omega = things.omega[t];
-        float itsVx = things.vx[other];
-        float itsVy = things.vy[other];
-        float itsOmega = things.omega[other];
-        float itsReach = things.reach[other];
-        float cos = things.cos[other];
-        float sin = things.sin[other];
-        OutlineShape shape = things.shape[other];
-        tolerance = TOLERANCE + Math.abs(omega - itsOmega) * dt;
-        fast = m > (things.ownW[t] > 0f ? things.thin[t] : things.thin[other]);
-        int end = things.firstCorner[t] + things.corners[t];
-        for (int c = things.firstCorner[t]; c < end; c++) {
+        tolerance = TOLERANCE + Math.abs(t.omega - other.omega) * dt;
+        fast = m > (t.ownW > 0f ? t.thin : other.thin);
+        for (int c = t.firstCorner; c < t.endCorner; c++) {
             int at = RigidThings.corner(c);
             float px = atX + corner[at];
             float py = atY + corner[at + 1];
-            float r = corner[at + RADIUS];
-            float ux = vx - omega * corner[at + 1] - itsVx;
-            float uy = vy + omega * corner[at] - itsVy;
-            ux += itsOmega * py;
-            uy -= itsOmega * px;
-            float wide = r + corner[at + BEND];
-            float near = wide + (m + dt * (Math.abs(ux) + Math.abs(uy)));
-            // surely farther from all that may touch it than this; it spares looking closer
-            if (CircleMath.isLonger(px, py, SLACK * (itsReach + near))
-                    || shape != null && shape.isFar(cos * px + sin * py, cos * py - sin * px, near)) {
-                continue;
-            }
-            cornerOnLines(t, other, c, px, py, ux, uy);
-            if (!swapped
-                    && !(CircleMath.isLonger(px, py, SLACK * (itsReach + (wide + m)))
-                            || shape != null && shape.isFar(cos * px + sin * py, cos * py - sin * px, wide + m))) {
-                cornerOnCorners(t, other, c, px, py);
+            float ux = t.vx - t.omega * corner[at + 1] - other.vx;
+            float uy = t.vy + t.omega * corner[at] - other.vy;
+            ux += other.omega * py;
+            uy -= other.omega * px;
+            float wide = corner[at + RADIUS] + corner[at + BEND];
+            if (!isFar(other, px, py, wide + (m + dt * (Math.abs(ux) + Math.abs(uy))))) {
+                cornerOnLines(t, other, c, px, py, ux, uy);
+                if (!swapped && !isFar(other, px, py, wide + m)) {
+                    cornerOnCorners(t, other, c, px, py);
+                }
             }
         }
     }
 
+    /** Whether a point is surely farther than a distance from all of a thing that may touch it; it spares looking closer. */
+    private static boolean isFar(RigidThing t, float px, float py, float distance) {
+        return CircleMath.isLonger(px, py, SLACK * (t.reach + distance))
+                || t.shape != null && t.shape.isFar(t.cos * px + t.sin * py, t.cos * py - t.sin * px, distance);
+    }
+
     /** A corner, which is at (px, py) and goes with (ux, uy). */
-    private void cornerOnLines(int t, int other, int c, float px, float py, float ux, float uy) {
-        float m = margin;
+    private void cornerOnLines(RigidThing t, RigidThing other, int c, float px, float py, float ux, float uy) {
+        float m = pair.margin;
         float[] lines = things.turnedLine;
         float r = things.turnedCorner[RigidThings.corner(c) + RADIUS];
         boolean bent = things.isBent(c);
@@ -243,8 +211,7 @@ final class RigidFeatures {
         float deepestReach = 0f;
         float deepestX = px;
         float deepestY = py;
-        int end = things.firstLine[other] + things.lines[other];
-        for (int l = things.firstLine[other]; l < end; l++) {
+        for (int l = other.firstLine; l < other.endLine; l++) {
             int line = RigidThings.line(l);
             float rx = px - lines[line];
             float ry = py - lines[line + 1];
@@ -293,11 +260,9 @@ final class RigidFeatures {
             }
         }
         if (count == from && deepest >= 0) {
-            boolean holds = things.shape[other] != null
+            boolean holds = other.shape != null
                     ? deepestHeight > -deepestReach || things.isInside(other, deepestX, deepestY)
-                    : isWall(other)
-                            || wasThere(c - things.firstCorner[t], deepest - things.firstLine[other])
-                            || isBefore(deepest);
+                    : isWall(other) || wasThere(c - t.firstCorner, deepest - other.firstLine) || isBefore(deepest);
             if (holds) {
                 add(t, other, c, deepest, true);
             }
@@ -306,19 +271,16 @@ final class RigidFeatures {
 
     /** Whether a corner of a body had a contact with a line before. */
     private boolean wasThere(int itsCorner, int itsLine) {
-        int itsFirst = swapped ? key(SWAPPED, itsLine) : key(CORNER_ON_LINE, itsCorner);
+        int itsFirst = swapped
+                ? KeptContacts.formAndFeature(SWAPPED, itsLine)
+                : KeptContacts.formAndFeature(CORNER_ON_LINE, itsCorner);
         int itsSecond = swapped ? itsCorner : itsLine;
-        for (int o = knownFrom; o < knownTo; o++) {
-            int at = RigidStep.KEYS * o + RigidStep.B;
-            if (known.contactKeys[at + 1] == itsFirst && known.contactKeys[at + 2] == itsSecond) {
+        for (int o = pair.firstOld; o < pair.endOld; o++) {
+            if (known.formAndFeature(o) == itsFirst && known.featureOfB(o) == itsSecond) {
                 return true;
             }
         }
         return false;
-    }
-
-    private static int key(int form, int feature) {
-        return form << FORM_SHIFT | feature;
     }
 
     /** Whether the place of the thing is in front of a line. */
@@ -329,14 +291,14 @@ final class RigidFeatures {
         return height > 0f;
     }
 
-    private boolean isWall(int t) {
-        return things.type[t] == RigidStep.BODY_WALL;
+    private static boolean isWall(RigidThing t) {
+        return t.type == RigidStep.BODY_WALL;
     }
 
     /** A corner inside an arc that is solid outside, from whose centre it is (atX, atY) away. */
-    private void cornerInHollow(int t, int other, int c, int l, float atX, float atY, float r) {
+    private void cornerInHollow(RigidThing t, RigidThing other, int c, int l, float atX, float atY, float r) {
         int line = RigidThings.line(l);
-        float m = margin;
+        float m = pair.margin;
         float rx = atX;
         float ry = atY;
         float d = CircleMath.length(rx, ry);
@@ -357,16 +319,15 @@ final class RigidFeatures {
         }
     }
 
-    private void cornerOnCorners(int t, int other, int c, float px, float py) {
+    private void cornerOnCorners(RigidThing t, RigidThing other, int c, float px, float py) {
         float[] corner = things.turnedCorner;
         int at = RigidThings.corner(c);
-        int end = things.firstCorner[other] + things.corners[other];
-        for (int o = things.firstCorner[other]; o < end; o++) {
+        for (int o = other.firstCorner; o < other.endCorner; o++) {
             int to = RigidThings.corner(o);
             float rx = px - corner[to];
             float ry = py - corner[to + 1];
             float bend = corner[at + BEND] + corner[to + BEND];
-            float most = bend + (corner[at + RADIUS] + corner[to + RADIUS]) + margin;
+            float most = bend + (corner[at + RADIUS] + corner[to + RADIUS]) + pair.margin;
             if (CircleMath.isLonger(rx, ry, SLACK * most)) {
                 continue; // surely, without a square root
             }
@@ -382,39 +343,37 @@ final class RigidFeatures {
         }
     }
 
-    private void add(int t, int other, int c, int f, boolean line) {
-        int at = STRIDE * count;
-        if (at == found.length) {
-            found = Arrays.copyOf(found, Math.max(64 * STRIDE, 2 * at));
+    private void add(RigidThing t, RigidThing other, int corner, int feature, boolean line) {
+        if (count == found.length) {
+            found = Arrays.copyOf(found, Math.max(64, 2 * count));
         }
-        int ofCorner = c - things.firstCorner[t];
-        int ofOther = line ? f - things.firstLine[other] : f - things.firstCorner[other];
-        found[at + CORNER] = c;
-        found[at + OTHER] = f;
-        found[at + FIRST] = key(line ? swapped ? SWAPPED : CORNER_ON_LINE : BOTH, swapped ? ofOther : ofCorner);
-        found[at + SECOND] = swapped ? ofCorner : ofOther;
-        count++;
+        if (found[count] == null) {
+            found[count] = new RigidContact();
+        }
+        RigidContact c = found[count++];
+        int ofCorner = corner - t.firstCorner;
+        int ofOther = feature - (line ? other.firstLine : other.firstCorner);
+        c.corner = corner;
+        c.feature = feature;
+        c.first = KeptContacts.formAndFeature(
+                line ? swapped ? SWAPPED : CORNER_ON_LINE : BOTH, swapped ? ofOther : ofCorner);
+        c.second = swapped ? ofCorner : ofOther;
     }
 
     /** Sorts the contacts of a pair by their features. */
     private void sort(int from) {
-        for (int c = from + 1; c < count; c++) {
-            for (int k = STRIDE * c; k > STRIDE * from && isAfter(k - STRIDE, k); k -= STRIDE) {
-                for (int element = 0; element < STRIDE; element++) {
-                    int kept = found[k + element];
-                    found[k + element] = found[k + element - STRIDE];
-                    found[k + element - STRIDE] = kept;
-                }
+        for (int n = from + 1; n < count; n++) {
+            RigidContact c = found[n];
+            int to = n;
+            while (to > from && found[to - 1].isBehind(c)) {
+                found[to] = found[--to];
             }
+            found[to] = c;
         }
     }
 
-    private boolean isAfter(int c, int other) {
-        int order = Integer.compare(found[c + FIRST], found[other + FIRST]);
-        return order > 0 || order == 0 && found[c + SECOND] > found[other + SECOND];
-    }
-
+    /** At most: there is room for more than there are. */
     long bytes() {
-        return 4L * found.length;
+        return 164L * found.length;
     }
 }

@@ -4,7 +4,6 @@ import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.state.JointStates;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleMath;
-import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;
@@ -14,28 +13,17 @@ import java.util.Arrays;
 
 /**
  * The passes over joints that hold rigid bodies, one after the other in the order of their ids, before those over the contacts of bodies: so contacts
- * win. {@link RigidJointVisits} has a visit, {@link RigidJointEnds} what is at both ends.
+ * win. {@link RigidJoint} has a visit.
  */
 final class RigidJoints {
-    // numbers of a joint within a step
-    static final int BASE_X = 0; // from the base of A to that of B
-    static final int BASE_Y = 1;
-    static final int NORMAL_X = 2; // from A to B, as measured last
-    static final int NORMAL_Y = 3;
-    static final int DISTANCE = 4;
-    static final int PUSH = 5; // the greatest speed by which it corrects where its ends are
-    private static final int STRIDE = 6;
-
+    private final State state;
     private final RigidPairs pairs;
     private final RigidThings things;
-    private final RigidJointEnds ends;
-    private final RigidJointVisits visits;
 
-    /** Those that act in the step, and {@link #STRIDE} numbers of each. */
-    private int[] acting = new int[0];
+    /** Those that act in the step. */
+    private RigidJoint[] acting = {};
 
     private int count;
-    private float[] work = new float[0];
 
     // within a step; null if no joint holds a body
     private RigidStep rigids;
@@ -44,10 +32,9 @@ final class RigidJoints {
     private StepConstants k;
 
     RigidJoints(State state, RigidPairs pairs) {
+        this.state = state;
         this.pairs = pairs;
         things = pairs.things;
-        ends = new RigidJointEnds(state, pairs);
-        visits = new RigidJointVisits(ends);
     }
 
     /** Begins the joints of a step, and finds what does not collide. */
@@ -64,14 +51,17 @@ final class RigidJoints {
             return;
         }
         if (acting.length < step.rigidCount) {
-            int c = step.rigidCount + (step.rigidCount >> 1);
-            work = Arrays.copyOf(work, STRIDE * c);
-            acting = Arrays.copyOf(acting, c);
+            int before = acting.length;
+            RigidJoint[] grown = Arrays.copyOf(acting, step.rigidCount + (step.rigidCount >> 1));
+            for (int n = before; n < grown.length; n++) {
+                grown[n] = new RigidJoint(state, pairs);
+            }
+            acting = grown;
         }
         for (int n = 0; n < step.rigidCount; n++) {
             int joint = step.rigidOrder[n];
             if (itsStates.begin(joint, step) && !rests(joint)) {
-                acting[count++] = joint;
+                acting[count++].id = joint;
                 if ((step.traits[JointRow.traits(joint) + JointRow.FORM] & JointRow.COLLIDE) == 0) {
                     part(joint);
                 }
@@ -99,60 +89,26 @@ final class RigidJoints {
     void begin(StepConstants constants) {
         k = constants;
         scaleResting();
-        if (count == 0) {
-            return;
-        }
-        visits.begin(joints, states, constants);
-        ends.begin(joints, constants);
         for (int n = 0; n < count; n++) {
-            int joint = acting[n];
-            int e = 2 * n;
-            int o = STRIDE * n;
-            ends.find(e, joint, 0);
-            ends.find(e + 1, joint, 1);
-            work[o + BASE_X] = ends.baseX(e, joint);
-            work[o + BASE_Y] = ends.baseY(e, joint);
-            work[o + NORMAL_X] = 1f;
-            work[o + NORMAL_Y] = 0f;
-            work[o + DISTANCE] = 0f;
-            float size = CircleMath.min(ends.size(e), ends.size(e + 1));
-            work[o + PUSH] = size < Float.POSITIVE_INFINITY ? JointMath.greatestPush(size, k.inverseH) : 0f;
-            visits.take(joint, e);
-            visits.scale();
-            visits.measure(0, work, o);
-            visits.all(work, o);
-            visits.giveNext();
+            acting[n].beginStep(joints, states, k);
         }
     }
 
-    /** What bodies keep acts again; on circles it has acted before. */
     void warmStart() {
         for (int n = 0; n < count; n++) {
-            visits.take(acting[n], 2 * n);
-            visits.all(work, STRIDE * n);
-            visits.giveToBodies();
+            acting[n].warmStart();
         }
     }
 
     void solve(int sub) {
         for (int n = 0; n < count; n++) {
-            visits.take(acting[n], 2 * n);
-            visits.measure(sub, work, STRIDE * n);
-            visits.solve(sub, work, STRIDE * n);
+            acting[n].solve(sub);
         }
     }
 
     void relax(int sub, boolean last) {
         for (int n = 0; n < count; n++) {
-            int o = STRIDE * n;
-            visits.take(acting[n], 2 * n);
-            visits.measure(sub + 1, work, o);
-            visits.relax(sub, work, o);
-            visits.all(work, o);
-            visits.addToSums();
-            if (!last) {
-                visits.giveNext();
-            }
+            acting[n].relax(sub, last);
         }
     }
 
@@ -160,9 +116,8 @@ final class RigidJoints {
     boolean end() {
         boolean some = false;
         for (int n = 0; n < count && joints.breakable; n++) {
-            visits.take(acting[n], 2 * n);
-            if (visits.breaks()) {
-                states.breakJoint(acting[n]);
+            if (acting[n].breaks()) {
+                states.breakJoint(acting[n].id);
                 some = true;
             }
         }
@@ -177,9 +132,9 @@ final class RigidJoints {
         return joints.rigidBodies[2 * joint + side];
     }
 
-    /** The thing of a body at a side of a joint, or {@link JointRow#NONE}. */
-    private int thing(int joint, int side) {
-        return body(joint, side) == JointRow.NONE ? JointRow.NONE : pairs.bodyThing(body(joint, side));
+    /** The thing of a body at a side of a joint, or null. */
+    private RigidThing thing(int joint, int side) {
+        return body(joint, side) == JointRow.NONE ? null : pairs.bodyThing(body(joint, side));
     }
 
     private boolean holdsCircle(int joint) {
@@ -243,38 +198,37 @@ final class RigidJoints {
             }
         }
         for (int t = 0; joints != null && t < things.bodies; t++) {
-            if (things.asleep[t] && waking.isLookedAt(t)) {
-                press(t, waking);
+            if (things.all[t].asleep && waking.isLookedAt(things.all[t])) {
+                press(things.all[t], waking);
             }
         }
     }
 
     private void look(int joint, int side, WakingByBodies waking) {
-        int t = thing(joint, side);
-        if (t == JointRow.NONE || !things.asleep[t]) {
+        RigidThing t = thing(joint, side);
+        if (t == null || !t.asleep) {
             return;
         }
         if (drives(joint)) {
             waking.drive(t);
         }
-        int other = thing(joint, 1 - side);
-        if (other != JointRow.NONE && !things.asleep[other]) {
+        RigidThing other = thing(joint, 1 - side);
+        if (other != null && !other.asleep) {
             float armX = armX(joint, 1 - side, other);
             float armY = armY(joint, 1 - side, other);
-            float speed = CircleMath.length(
-                    things.vx[other] - things.omega[other] * armY, things.vy[other] + things.omega[other] * armX);
-            waking.move(t, things.ownW[other], speed, load(joint));
+            float speed = CircleMath.length(other.vx - other.omega * armY, other.vy + other.omega * armX);
+            waking.move(t, other.ownW, speed, load(joint));
         }
     }
 
-    private float armX(int joint, int side, int t) {
+    private float armX(int joint, int side, RigidThing t) {
         float x = joints.rigidPoints[4 * joint + 2 * side];
-        return things.cos[t] * x - things.sin[t] * joints.rigidPoints[4 * joint + 2 * side + 1];
+        return t.cos * x - t.sin * joints.rigidPoints[4 * joint + 2 * side + 1];
     }
 
-    private float armY(int joint, int side, int t) {
+    private float armY(int joint, int side, RigidThing t) {
         float x = joints.rigidPoints[4 * joint + 2 * side];
-        return things.sin[t] * x + things.cos[t] * joints.rigidPoints[4 * joint + 2 * side + 1];
+        return t.sin * x + t.cos * joints.rigidPoints[4 * joint + 2 * side + 1];
     }
 
     private float sum(int joint, int which) {
@@ -298,8 +252,8 @@ final class RigidJoints {
     }
 
     /** Adds what joints give a body to what presses it. */
-    void press(int t, WakingByBodies waking) {
-        for (int end = nextEnd(-1, things.id[t]); end >= 0; end = nextEnd(end, things.id[t])) {
+    void press(RigidThing t, WakingByBodies waking) {
+        for (int end = nextEnd(-1, t.id); end >= 0; end = nextEnd(end, t.id)) {
             int joint = joints.rigidOrder[end >> 1];
             int side = end & 1;
             float sign = side == 0 ? -1f : 1f;
@@ -315,12 +269,12 @@ final class RigidJoints {
     }
 
     /** What woke a body reaches those that joints hold to it. */
-    void passOn(int t, float speed, WakingByBodies waking) {
-        for (int end = nextEnd(-1, things.id[t]); end >= 0; end = nextEnd(end, things.id[t])) {
+    void passOn(RigidThing t, float speed, WakingByBodies waking) {
+        for (int end = nextEnd(-1, t.id); end >= 0; end = nextEnd(end, t.id)) {
             int joint = joints.rigidOrder[end >> 1];
-            int other = thing(joint, 1 - (end & 1));
-            if (other != JointRow.NONE) {
-                waking.passOn(other, speed, load(joint), 0f, things.ownW[other], things.ownW[t]);
+            RigidThing other = thing(joint, 1 - (end & 1));
+            if (other != null) {
+                waking.passOn(other, speed, load(joint), 0f, other.ownW, t.ownW);
             }
         }
     }
@@ -335,6 +289,6 @@ final class RigidJoints {
     }
 
     long bytes() {
-        return ends.bytes() + 4L * (acting.length + work.length);
+        return 192L * acting.length;
     }
 }

@@ -17,12 +17,10 @@ final class RigidMeasures {
     /** The cosine of the angle by which a normal turns at most from one measure to the next if impulses are to stay. */
     private static final float SAME_WAY = 0.98f;
 
-    private final RigidContacts contacts;
     private final RigidThings things;
     private float h;
 
-    RigidMeasures(RigidContacts contacts, RigidThings things) {
-        this.contacts = contacts;
+    RigidMeasures(RigidThings things) {
         this.things = things;
     }
 
@@ -35,100 +33,81 @@ final class RigidMeasures {
      * Finds normal, gap and arms of a contact. Impulses have acted along the normal before: if a corner goes beyond the end of a line, they would be
      * taken back along another one, and slow down what slides.
      */
-    void measure(int c) {
-        int t = contacts.a[c];
-        int other = contacts.b[c];
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float nx = rows[row + RigidRow.NX];
-        float ny = rows[row + RigidRow.NY];
-        int at = RigidThings.corner(contacts.corner(c));
-        float px = things.turnedCorner[at];
-        float py = things.turnedCorner[at + 1];
-        float r = things.turnedCorner[at + BEND] + things.turnedCorner[at + RADIUS];
-        float x = contacts.rows[row + RigidRow.OX] + (things.dx[t] - things.dx[other]);
-        float y = contacts.rows[row + RigidRow.OY] + (things.dy[t] - things.dy[other]);
-        int end = beyond(c, x, y);
+    void measure(RigidContact c) {
+        float[] corners = things.turnedCorner;
+        float nx = c.nx;
+        float ny = c.ny;
+        int at = RigidThings.corner(c.corner);
+        float px = corners[at];
+        float py = corners[at + 1];
+        float r = corners[at + BEND] + corners[at + RADIUS];
+        float x = c.x();
+        float y = c.y();
+        int end = beyond(c, x + px, y + py);
         if (end != 0) {
-            px += r * things.turnedCorner[at + end];
-            py += r * things.turnedCorner[at + end + 1];
+            px += r * corners[at + end];
+            py += r * corners[at + end + 1];
             r = 0f;
         }
-        if (!contacts.isLine(c)) {
+        if (!c.isLine()) {
             onCorner(c, x + px, y + py, r);
-        } else if (things.isHollow(contacts.feature(c))) {
+        } else if (things.isHollow(c.feature)) {
             inHollow(c, x + px, y + py, r);
         } else {
             onLine(c, x, y, px, py, r);
         }
-        if (rows[row + RigidRow.GAP] > 0f && nx * rows[row + RigidRow.NX] + ny * rows[row + RigidRow.NY] < SAME_WAY) {
-            rows[row + RigidRow.IMPULSE] = 0f;
-            rows[row + RigidRow.GRIP] = 0f;
+        if (c.gap > 0f && nx * c.nx + ny * c.ny < SAME_WAY) {
+            c.impulse = 0f;
+            c.grip = 0f;
         }
-        float armX = px - rows[row + RigidRow.NX] * r;
-        float armY = py - rows[row + RigidRow.NY] * r;
-        rows[row + RigidRow.AX] = armX;
-        rows[row + RigidRow.AY] = armY;
-        rows[row + RigidRow.BX] = x + armX;
-        rows[row + RigidRow.BY] = y + armY;
+        c.ax = px - c.nx * r;
+        c.ay = py - c.ny * r;
+        c.bx = x + c.ax;
+        c.by = y + c.ay;
     }
 
-    /** The end of an arc with which it touches if it has turned so far that its cone has no normal of the contact; 0 if there is none. */
-    private int beyond(int c, float x, float y) {
-        if (!things.isBent(contacts.corner(c))) {
+    /** The end of an arc at (x, y) with which it touches if it has turned so far that its cone has no normal of the contact; 0 if there is none. */
+    private int beyond(RigidContact c, float x, float y) {
+        if (!things.isBent(c.corner)) {
             return 0;
         }
-        int at = RigidThings.corner(contacts.corner(c));
-        float rx = x + things.turnedCorner[at];
-        float ry = y + things.turnedCorner[at + 1];
-        if (contacts.isLine(c)) {
-            int line = RigidThings.line(contacts.feature(c));
-            return things.isHollow(contacts.feature(c))
-                    ? things.endOf(
-                            contacts.a[c],
-                            contacts.corner(c),
-                            rx - things.turnedLine[line],
-                            ry - things.turnedLine[line + 1])
-                    : things.endOf(
-                            contacts.a[c],
-                            contacts.corner(c),
-                            -things.turnedLine[line + NX],
-                            -things.turnedLine[line + NY]);
+        if (!c.isLine()) {
+            int to = RigidThings.corner(c.feature);
+            return things.endOf(c.a, c.corner, things.turnedCorner[to] - x, things.turnedCorner[to + 1] - y);
         }
-        int to = RigidThings.corner(contacts.feature(c));
-        return things.endOf(
-                contacts.a[c], contacts.corner(c), things.turnedCorner[to] - rx, things.turnedCorner[to + 1] - ry);
+        float[] lines = things.turnedLine;
+        int line = RigidThings.line(c.feature);
+        return things.isHollow(c.feature)
+                ? things.endOf(c.a, c.corner, x - lines[line], y - lines[line + 1])
+                : things.endOf(c.a, c.corner, -lines[line + NX], -lines[line + NY]);
     }
 
     /** (x, y): of A's corner, against the place of B. */
-    private void onCorner(int c, float x, float y, float r) {
-        int to = RigidThings.corner(contacts.feature(c));
-        float rx = x - things.turnedCorner[to];
-        float ry = y - things.turnedCorner[to + 1];
-        float itsRadius = things.turnedCorner[to + BEND] + things.turnedCorner[to + RADIUS];
-        int end = things.isBent(contacts.feature(c)) ? things.endOf(contacts.b[c], contacts.feature(c), rx, ry) : 0;
+    private void onCorner(RigidContact c, float x, float y, float r) {
+        float[] corners = things.turnedCorner;
+        int to = RigidThings.corner(c.feature);
+        float rx = x - corners[to];
+        float ry = y - corners[to + 1];
+        float itsRadius = corners[to + BEND] + corners[to + RADIUS];
+        int end = things.isBent(c.feature) ? things.endOf(c.b, c.feature, rx, ry) : 0;
         if (end == 0) {
             atPoint(c, rx, ry, r + itsRadius);
         } else {
-            atPoint(
-                    c,
-                    rx - itsRadius * things.turnedCorner[to + end],
-                    ry - itsRadius * things.turnedCorner[to + end + 1],
-                    r);
+            atPoint(c, rx - itsRadius * corners[to + end], ry - itsRadius * corners[to + end + 1], r);
         }
     }
 
-    private void atPoint(int c, float rx, float ry, float reach) {
+    private static void atPoint(RigidContact c, float rx, float ry, float reach) {
         float d = CircleMath.length(rx, ry);
         if (d > 0f) {
             set(c, rx / d, ry / d, d - reach);
         } else {
-            contacts.rows[RigidRow.of(c) + RigidRow.GAP] = d - reach; // the normal stays
+            c.gap = d - reach; // the normal stays
         }
     }
 
-    private void inHollow(int c, float x, float y, float r) {
-        int line = RigidThings.line(contacts.feature(c));
+    private void inHollow(RigidContact c, float x, float y, float r) {
+        int line = RigidThings.line(c.feature);
         float rx = x - things.turnedLine[line];
         float ry = y - things.turnedLine[line + 1];
         float d = CircleMath.length(rx, ry);
@@ -136,14 +115,14 @@ final class RigidMeasures {
         if (d > 0f) {
             set(c, -1f * rx / d, -1f * ry / d, gap);
         } else {
-            contacts.rows[RigidRow.of(c) + RigidRow.GAP] = gap; // the normal stays
+            c.gap = gap; // the normal stays
         }
     }
 
-    private void onLine(int c, float x, float y, float px, float py, float r) {
-        int t = contacts.a[c];
-        int other = contacts.b[c];
-        int line = RigidThings.line(contacts.feature(c));
+    private void onLine(RigidContact c, float x, float y, float px, float py, float r) {
+        RigidThing t = c.a;
+        RigidThing other = c.b;
+        int line = RigidThings.line(c.feature);
         float rx = x + px - things.turnedLine[line];
         float ry = y + py - things.turnedLine[line + 1];
         float lx = things.turnedLine[line + NX];
@@ -152,12 +131,12 @@ final class RigidMeasures {
         float reach = r + things.turnedLine[line + THICKNESS];
         float height = rx * lx + ry * ly;
         float along = ry * lx - rx * ly;
-        float more = GOES_ON * (things.ownW[t] > 0f || things.ownW[other] == 0f ? things.thin[t] : things.thin[other]);
+        float more = GOES_ON * (t.ownW > 0f || other.ownW == 0f ? t.thin : other.thin);
         boolean beside = !(along >= -more && along <= length + more);
         if (beside && height > reach) {
             // a fast one that will be over the line as it meets it
-            float ux = things.vx[t] - things.omega[t] * py - things.vx[other] + things.omega[other] * (y + py);
-            float uy = things.vy[t] + things.omega[t] * px - things.vy[other] - things.omega[other] * (x + px);
+            float ux = t.vx - t.omega * py - other.vx + other.omega * (y + py);
+            float uy = t.vy + t.omega * px - other.vy - other.omega * (x + px);
             float un = ux * lx + uy * ly;
             float then = along + (uy * lx - ux * ly) * ((height - reach) / -un);
             beside = !(un < 0f && -un * h >= height - reach && then >= -more && then <= length + more);
@@ -174,10 +153,9 @@ final class RigidMeasures {
         set(c, lx, ly, (height - reach) + 0f); // never -0
     }
 
-    private void set(int c, float nx, float ny, float gap) {
-        int row = RigidRow.of(c);
-        contacts.rows[row + RigidRow.NX] = nx;
-        contacts.rows[row + RigidRow.NY] = ny;
-        contacts.rows[row + RigidRow.GAP] = gap;
+    private static void set(RigidContact c, float nx, float ny, float gap) {
+        c.nx = nx;
+        c.ny = ny;
+        c.gap = gap;
     }
 }

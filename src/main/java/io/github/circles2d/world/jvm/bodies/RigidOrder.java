@@ -14,10 +14,10 @@ final class RigidOrder {
     private static final int DIGIT_BITS = 8;
 
     private final RigidContacts contacts;
-    private final RigidPairs pairs;
+    private final RigidThings things;
 
     /** The pairs of contacts without circles, in order. */
-    int[] order = new int[0];
+    RigidPair[] order = {};
 
     int count;
 
@@ -27,27 +27,21 @@ final class RigidOrder {
     /** Of the last step. */
     int colours;
 
-    // while pairs are sorted: their hashes, so that signed numbers ascend, and their numbers; and room for the same
-    private int[] hashes = new int[0];
+    // while pairs are sorted by their hashes: those, and room for the same
+    private RigidPair[] sorted = {};
 
-    private int[] numbers = new int[0];
-    private int[] otherHashes = new int[0];
-    private int[] otherNumbers = new int[0];
+    private RigidPair[] other = {};
     private final int[] starts = new int[1 << DIGIT_BITS];
-
-    private int[] colour = new int[0];
 
     /** By colour: the number of pairs with less, then where the next one goes. */
     private int[] ofColour = new int[0];
 
-    /** By thing: the number of its pairs, and the colours that they have. */
-    private int[] degree = new int[0];
-
+    /** By thing: the colours that its pairs have. */
     private long[] taken = new long[0];
 
-    RigidOrder(RigidContacts contacts, RigidPairs pairs) {
+    RigidOrder(RigidContacts contacts, RigidThings things) {
         this.contacts = contacts;
-        this.pairs = pairs;
+        this.things = things;
     }
 
     private static int hash(int a, int b) {
@@ -60,32 +54,27 @@ final class RigidOrder {
     }
 
     void find() {
-        RigidThings things = pairs.things;
         int n = contacts.pairCount;
         if (order.length < n) {
-            order = new int[2 * n];
-            hashes = new int[2 * n];
-            numbers = new int[2 * n];
-            otherHashes = new int[2 * n];
-            otherNumbers = new int[2 * n];
-            colour = new int[2 * n];
+            order = new RigidPair[2 * n];
+            sorted = new RigidPair[2 * n];
+            other = new RigidPair[2 * n];
         }
-        if (degree.length < things.count) {
-            degree = new int[2 * things.count];
+        for (int t = 0; t < things.count; t++) {
+            things.all[t].degree = 0;
         }
-        Arrays.fill(degree, 0, things.count, 0);
         count = 0;
         int most = 0;
-        while (count < n && things.type[second(count)] != RigidStep.BODY_CIRCLE) {
-            int a = first(count);
-            int b = second(count);
-            degree[a]++;
-            degree[b]++;
-            most = Math.max(most, Math.max(degree[a], things.w[b] > 0f ? degree[b] : 0));
-            // ids, with the type: those of pieces and bodies are numbers of their own
-            hashes[count] = hash(things.id[a], things.id[b] + (things.type[b] << 28)) ^ Integer.MIN_VALUE;
-            numbers[count] = count;
-            count++;
+        while (count < n && contacts.pairs[count].b.type != RigidStep.BODY_CIRCLE) {
+            RigidPair pair = contacts.pairs[count];
+            RigidThing a = pair.a;
+            RigidThing b = pair.b;
+            a.degree++;
+            b.degree++;
+            most = Math.max(most, Math.max(a.degree, b.w > 0f ? b.degree : 0));
+            // ids, with the type: those of pieces and bodies are numbers of their own; so that signed numbers ascend
+            pair.hash = hash(a.id, b.id + (b.type << 28)) ^ Integer.MIN_VALUE;
+            sorted[count++] = pair;
         }
         firstWithCircle = count;
         for (int shift = 0; shift < Integer.SIZE; shift += DIGIT_BITS) {
@@ -98,21 +87,18 @@ final class RigidOrder {
         Arrays.fill(taken, 0, words * things.count, 0L);
         colours = 0;
         for (int k = 0; k < count; k++) {
-            int p = numbers[k];
-            int a = first(p);
-            int b = second(p);
-            colour[p] = least(words, things.gives(a), a, things.gives(b), b);
-            colours = Math.max(colours, colour[p] + 1);
+            sorted[k].colour = least(words, sorted[k].a, sorted[k].b);
+            colours = Math.max(colours, sorted[k].colour + 1);
         }
         byColours();
     }
 
-    /** Sorts the hashes by a digit; those that have the same stay as they lie. */
+    /** Sorts by a digit of the hashes; those that have the same stay as they lie. */
     private void sort(int shift) {
         int mask = starts.length - 1;
         Arrays.fill(starts, 0);
         for (int k = 0; k < count; k++) {
-            starts[hashes[k] >>> shift & mask]++;
+            starts[sorted[k].hash >>> shift & mask]++;
         }
         int sum = 0;
         for (int digit = 0; digit < starts.length; digit++) {
@@ -121,21 +107,16 @@ final class RigidOrder {
             sum += its;
         }
         for (int k = 0; k < count; k++) {
-            int to = starts[hashes[k] >>> shift & mask]++;
-            otherHashes[to] = hashes[k];
-            otherNumbers[to] = numbers[k];
+            other[starts[sorted[k].hash >>> shift & mask]++] = sorted[k];
         }
-        int[] keptHashes = hashes;
-        int[] keptNumbers = numbers;
-        hashes = otherHashes;
-        numbers = otherNumbers;
-        otherHashes = keptHashes;
-        otherNumbers = keptNumbers;
+        RigidPair[] kept = sorted;
+        sorted = other;
+        other = kept;
     }
 
     /** Whether a thing has pairs in the order. */
-    boolean isOrdered(int t) {
-        return degree[t] > 0;
+    static boolean isOrdered(RigidThing t) {
+        return t.degree > 0;
     }
 
     /** Where the pairs of a colour begin in the order. */
@@ -155,46 +136,39 @@ final class RigidOrder {
         }
         Arrays.fill(ofColour, 0, colours + 1, 0);
         for (int p = 0; p < count; p++) {
-            ofColour[colour[p] + 1]++;
+            ofColour[contacts.pairs[p].colour + 1]++;
         }
         for (int c = 0; c < colours; c++) {
             ofColour[c + 1] += ofColour[c];
         }
         for (int p = 0; p < count; p++) {
-            order[ofColour[colour[p]]++] = p;
+            order[ofColour[contacts.pairs[p].colour]++] = contacts.pairs[p];
         }
     }
 
-    private int first(int p) {
-        return pairs.a[contacts.pair[p]];
-    }
-
-    private int second(int p) {
-        return pairs.b[contacts.pair[p]];
-    }
-
-    private int least(int words, boolean movesA, int a, boolean movesB, int b) {
+    /** The least colour that neither of two has which give way; both have it now. */
+    private int least(int words, RigidThing a, RigidThing b) {
         int word = 0;
-        long free = free(words, word, movesA, a, movesB, b);
-        while (free == 0L) {
+        while ((taken(words, word, a) | taken(words, word, b)) == -1L) {
             word++;
-            free = free(words, word, movesA, a, movesB, b);
         }
-        long bit = Long.lowestOneBit(free);
-        if (movesA) {
-            taken[words * a + word] |= bit;
-        }
-        if (movesB) {
-            taken[words * b + word] |= bit;
-        }
+        long bit = Long.lowestOneBit(~(taken(words, word, a) | taken(words, word, b)));
+        take(words, word, a, bit);
+        take(words, word, b, bit);
         return (word << BITS_LOG) + Long.numberOfTrailingZeros(bit);
     }
 
-    private long free(int words, int word, boolean movesA, int a, boolean movesB, int b) {
-        return ~((movesA ? taken[words * a + word] : 0L) | (movesB ? taken[words * b + word] : 0L));
+    private long taken(int words, int word, RigidThing t) {
+        return t.gives() ? taken[words * t.number + word] : 0L;
+    }
+
+    private void take(int words, int word, RigidThing t, long bit) {
+        if (t.gives()) {
+            taken[words * t.number + word] |= bit;
+        }
     }
 
     long bytes() {
-        return 24L * order.length + 4L * starts.length + 4L * (degree.length + ofColour.length) + 8L * taken.length;
+        return 12L * order.length + 4L * (starts.length + ofColour.length) + 8L * taken.length;
     }
 }

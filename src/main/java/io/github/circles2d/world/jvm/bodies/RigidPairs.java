@@ -45,29 +45,17 @@ final class RigidPairs {
     /** Those of circles, which have been looked at as they lie in memory, in order. */
     private final RigidKeys ofCircles = new RigidKeys();
 
+    /** In the order of the keys of {@link RigidStep}. */
+    RigidPair[] all = {};
+
     int count;
+    private final RigidPair probed = new RigidPair();
     private int awakeBodies;
 
-    /** Things of each pair; the first is a body. */
-    int[] a = new int[0];
-
-    int[] b = new int[0];
-
-    /** By how much the base of the first lies beyond that of the second. */
-    float[] ox = new float[0];
-
-    float[] oy = new float[0];
-
-    /** How near they may have contacts. */
-    float[] margin = new float[0];
-
-    /** By thing: half of its part of a margin. */
-    private float[] near = new float[0];
-
-    private int[] thingOfBody = new int[0];
-    private int[] thingOfPiece = new int[0];
-    private int[] thingOfCircle = new int[0];
-    private final int[] thingOfWall = new int[WallMotion.COUNT];
+    private RigidThing[] thingOfBody = {};
+    private RigidThing[] thingOfPiece = {};
+    private RigidThing[] thingOfCircle = {};
+    private final RigidThing[] thingOfWall = new RigidThing[WallMotion.COUNT];
 
     // within a step
     private RigidStep step;
@@ -102,7 +90,7 @@ final class RigidPairs {
     }
 
     void find() {
-        candidates.update(near);
+        candidates.update();
         for (int type = 0; type < found.length; type++) {
             if (found[type] == null || found[type].length < 2 * team.pieces()) {
                 found[type] = new int[2 * team.pieces()];
@@ -117,59 +105,59 @@ final class RigidPairs {
 
     private void addBodies() {
         if (thingOfBody.length < step.end) {
-            thingOfBody = new int[step.room()];
+            thingOfBody = new RigidThing[step.room()];
         }
         awakeBodies = 0;
         things.truncate(things.bodies);
-        int t = 0;
+        int n = 0;
         for (int id = 0; id < step.end; id++) {
             if (step.outline[id] != null) {
-                if (!things.isBody(t, id, step.outline[id])) { // else it stays where it is
-                    things.truncate(t);
-                    things.bodies = t;
+                if (!isThing(n, id)) { // else it stays where it is
+                    things.truncate(n);
+                    things.bodies = n;
                     things.add(BODY_BODY, id, 0f, 0f);
                     things.setShape(step.outline[id]);
                 }
-                thingOfBody[id] = t++;
+                thingOfBody[id] = things.all[n++];
                 awakeBodies += step.isAsleep(id) ? 0 : 1;
             }
         }
-        things.truncate(t);
+        things.truncate(n);
         things.bodies = things.count;
-        ensureNear();
         candidates.ensure(things.bodies);
         team.share(things.bodies, 0, fill);
     }
 
+    /** Whether a thing is a body as it is now; nobody else has made its outline. */
+    private boolean isThing(int n, int body) {
+        return n < things.bodies && things.all[n].id == body && things.all[n].shape == step.outline[body];
+    }
+
     private void fill(int worker, int from, int end) {
-        for (int t = from; t < end; t++) {
+        for (int n = from; n < end; n++) {
+            RigidThing t = things.all[n];
             fillBody(t);
-            near[t] = Tuning.MARGIN * things.thin[t] + 0.5f * way(t);
+            t.near = Tuning.MARGIN * t.thin + 0.5f * way(t);
             findBox(t);
         }
     }
 
-    private void fillBody(int t) {
-        int id = things.id[t];
-        things.x[t] = step.x[id];
-        things.y[t] = step.y[id];
-        things.turned[t] = 0f;
-        things.dx[t] = step.restX[id];
-        things.dy[t] = step.restY[id];
-        things.angle[t] = step.angle[id];
-        things.vx[t] = step.vx[id];
-        things.vy[t] = step.vy[id];
-        things.omega[t] = step.omega[id];
-        things.w[t] = step.inverseMass[id];
-        things.i[t] = step.inverseInertia[id];
-        things.ownW[t] = things.w[t];
-        things.ownI[t] = things.i[t];
-        things.restitution[t] = step.restitution[id];
-        things.kind[t] = step.kind[id];
+    private void fillBody(RigidThing t) {
+        int id = t.id;
+        t.x = step.x[id];
+        t.y = step.y[id];
+        t.turned = 0f;
+        t.dx = step.restX[id];
+        t.dy = step.restY[id];
+        t.angle = step.angle[id];
+        t.setVelocity(step.vx[id], step.vy[id], step.omega[id]);
+        t.setMasses(step.inverseMass[id], step.inverseInertia[id]);
+        t.restitution = step.restitution[id];
+        t.kind = step.kind[id];
         takeSurface(t, KindSurface.of(step.kind[id]));
-        things.gainX[t] = 0f;
-        things.gainY[t] = 0f;
-        if (things.ownW[t] > 0f) {
+        t.gainX = 0f;
+        t.gainY = 0f;
+        if (t.ownW > 0f) {
             float gx = k.gravityStepX;
             float gy = k.gravityStepY;
             if (state.kindMotion != null) {
@@ -177,56 +165,47 @@ final class RigidPairs {
                 gx = state.kindMotion[row + KindMotion.GAIN_X];
                 gy = state.kindMotion[row + KindMotion.GAIN_Y];
             }
-            things.gainX[t] = Velocity.gain(gx, step.forceX(id), things.ownW[t], k.h);
-            things.gainY[t] = Velocity.gain(gy, step.forceY(id), things.ownW[t], k.h);
+            t.gainX = Velocity.gain(gx, step.forceX(id), t.ownW, k.h);
+            t.gainY = Velocity.gain(gy, step.forceY(id), t.ownW, k.h);
         }
-        things.gainOmega[t] = Velocity.gain(0f, step.torque(id), things.ownI[t], k.h);
-        things.asleep[t] = step.isAsleep(id);
-        if (things.asleep[t]) {
-            things.w[t] = 0f;
-            things.i[t] = 0f;
+        t.gainOmega = Velocity.gain(0f, step.torque(id), t.ownI, k.h);
+        t.asleep = step.isAsleep(id);
+        if (t.asleep) {
+            t.w = 0f;
+            t.i = 0f;
         }
         things.turn(t);
     }
 
     /** What surfaces of bodies, pieces and walls are; there are none in a world in which nothing turns. */
-    private void takeSurface(int t, int row) {
+    private void takeSurface(RigidThing t, int row) {
         if (k.turning) {
             takeSurface(t, state.turning.surfaces, row);
         } else {
-            things.friction[t] = 0f;
-            things.rolling[t] = 0f;
-            things.belt[t] = 0f;
+            t.setSurface(0f, 0f, 0f);
         }
     }
 
     /** Of a static circle at rest, which has no part in the step else. */
-    private void takeSurfaceAtRest(int t, int id) {
-        takeSurface(t, KindSurface.of(things.kind[t]));
-        things.friction[t] = CircleMath.orOfKind(state.fields.getFloat(CircleField.FRICTION, id), things.friction[t]);
-        things.rolling[t] =
-                CircleMath.orOfKind(state.fields.getFloat(CircleField.ROLLING_RESISTANCE, id), things.rolling[t]);
+    private void takeSurfaceAtRest(RigidThing t) {
+        takeSurface(t, KindSurface.of(t.kind));
+        t.friction = CircleMath.orOfKind(state.fields.getFloat(CircleField.FRICTION, t.id), t.friction);
+        t.rolling = CircleMath.orOfKind(state.fields.getFloat(CircleField.ROLLING_RESISTANCE, t.id), t.rolling);
     }
 
-    private void takeSurface(int t, float[] rows, int row) {
-        things.friction[t] = rows[row + KindSurface.FRICTION];
-        things.rolling[t] = rows[row + KindSurface.ROLLING_RESISTANCE];
-        things.belt[t] = rows[row + KindSurface.BELT];
-    }
-
-    private void ensureNear() {
-        if (near.length < things.count) {
-            near = Arrays.copyOf(near, things.count + (things.count >> 1));
-        }
+    private static void takeSurface(RigidThing t, float[] rows, int row) {
+        t.setSurface(
+                rows[row + KindSurface.FRICTION],
+                rows[row + KindSurface.ROLLING_RESISTANCE],
+                rows[row + KindSurface.BELT]);
     }
 
     /** How far a body comes at most in a step. One that comes fast may be hit, and turn then: its other end gets twice as fast at most. */
-    private float way(int t) {
-        float speed = CircleMath.length(things.vx[t], things.vy[t]);
-        float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
-        float spin = (Math.abs(things.omega[t]) + Math.abs(things.gainOmega[t]) * k.subSteps) * things.reach[t];
-        float way = k.dt * (speed + gain * k.subSteps + spin);
-        return way > things.thin[t] ? 2f * way : way;
+    private float way(RigidThing t) {
+        float speed = CircleMath.length(t.vx, t.vy);
+        float spin = (Math.abs(t.omega) + Math.abs(t.gainOmega) * k.subSteps) * t.reach;
+        float way = k.dt * (speed + t.gain() * k.subSteps + spin);
+        return way > t.thin ? 2f * way : way;
     }
 
     // ---- what is near
@@ -240,7 +219,7 @@ final class RigidPairs {
             mark(search, piece, 0);
             int end = team.to(things.bodies, worker, round);
             for (int t = team.from(things.bodies, worker, round); t < end; t++) {
-                search.findNear(t);
+                search.findNear(things.all[t]);
             }
             int endSlot = team.to(slots, worker, round);
             for (int slot = team.from(slots, worker, round); slot < endSlot; slot++) {
@@ -264,14 +243,15 @@ final class RigidPairs {
     // ---- what moves near to bodies that sleep
 
     /** Whether a wall moves near to a body. */
-    boolean wallsMoveNear(int t) {
+    boolean wallsMoveNear(RigidThing t) {
         float[] travel = k.walls.travel;
-        float m = 2f * Tuning.MARGIN * things.thin[t];
+        float m = 2f * Tuning.MARGIN * t.thin;
         float[] box = candidates.box;
-        return travel[0] != 0f && box[4 * t] - m - Math.abs(travel[0]) < k.bounds.minX()
-                || travel[1] != 0f && box[4 * t + 2] + m + Math.abs(travel[1]) > k.bounds.maxX()
-                || travel[2] != 0f && box[4 * t + 1] - m - Math.abs(travel[2]) < k.bounds.minY()
-                || travel[3] != 0f && box[4 * t + 3] + m + Math.abs(travel[3]) > k.bounds.maxY();
+        int at = 4 * t.number;
+        return travel[0] != 0f && box[at] - m - Math.abs(travel[0]) < k.bounds.minX()
+                || travel[1] != 0f && box[at + 2] + m + Math.abs(travel[1]) > k.bounds.maxX()
+                || travel[2] != 0f && box[at + 1] - m - Math.abs(travel[2]) < k.bounds.minY()
+                || travel[3] != 0f && box[at + 3] + m + Math.abs(travel[3]) > k.bounds.maxY();
     }
 
     /** Whether terrain has pieces that may move. */
@@ -284,19 +264,20 @@ final class RigidPairs {
     }
 
     /** Whether a piece that moves is near to a body, which meets it. */
-    boolean piecesMoveNear(int t) {
-        float m = 2f * Tuning.MARGIN * things.thin[t];
+    boolean piecesMoveNear(RigidThing t) {
+        float m = 2f * Tuning.MARGIN * t.thin;
         float[] box = candidates.box;
+        int at = 4 * t.number;
         for (int n = 0; n < state.images.count; n++) {
-            float minX = box[4 * t] - m + state.images.x[n];
-            float minY = box[4 * t + 1] - m + state.images.y[n];
-            float maxX = box[4 * t + 2] + m + state.images.x[n];
-            float maxY = box[4 * t + 3] + m + state.images.y[n];
+            float minX = box[at] - m + state.images.x[n];
+            float minY = box[at + 1] - m + state.images.y[n];
+            float maxX = box[at + 2] + m + state.images.x[n];
+            float maxY = box[at + 3] + m + state.images.y[n];
             int node = terrain.find(terrain.groundNodes, minX, minY, maxX, maxY);
             while (node >= 0) {
                 int traits = PieceRow.traits(terrain.piece(node));
                 if (terrain.traits[traits + PieceRow.MOTION] != 0
-                        && searches[0].meets(things.kind[t], terrain.traits[traits + PieceRow.KIND])) {
+                        && searches[0].meets(t.kind, terrain.traits[traits + PieceRow.KIND])) {
                     return true;
                 }
                 node = terrain.find(node + 1, minX, minY, maxX, maxY);
@@ -305,19 +286,21 @@ final class RigidPairs {
         return false;
     }
 
-    /** Puts a pair of a body and what has a type and an id behind all others, without counting it. */
-    void probe(int body, int type, int id) {
-        ensurePairs(count + 1);
-        a[count] = thingOfBody[body];
-        b[count] = thing(type, id);
-        measurePair(count);
+    /** Makes a pair, which is none of the others, of a body and what has a type and an id. */
+    RigidPair probe(int body, int type, int id) {
+        probed.a = thingOfBody[body];
+        probed.b = thing(type, id);
+        measure(probed);
+        return probed;
     }
 
-    /** Forgets what pairs have been put behind all others, and their things, of which there were so many before. */
+    /** Forgets the things of such pairs, before which there were so many. */
     void forgetProbes(int thingsBefore) {
         things.truncate(thingsBefore);
         for (int wall = 0; wall < thingOfWall.length; wall++) {
-            thingOfWall[wall] = thingOfWall[wall] >= thingsBefore ? -1 : thingOfWall[wall];
+            if (thingOfWall[wall] != null && thingOfWall[wall].number >= thingsBefore) {
+                thingOfWall[wall] = null;
+            }
         }
     }
 
@@ -327,35 +310,36 @@ final class RigidPairs {
     }
 
     /** The box of a body, with its part of margins. */
-    private void findBox(int t) {
+    private void findBox(RigidThing t) {
         float minX = Float.POSITIVE_INFINITY;
         float minY = Float.POSITIVE_INFINITY;
         float maxX = Float.NEGATIVE_INFINITY;
         float maxY = Float.NEGATIVE_INFINITY;
-        for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
-            int at = RigidThings.corner(c);
-            float r = things.turnedCorner[at + OutlineShape.RADIUS];
-            float x = things.turnedCorner[at];
-            float y = things.turnedCorner[at + 1];
+        for (int c = t.firstCorner; c < t.endCorner; c++) {
+            int of = RigidThings.corner(c);
+            float r = things.turnedCorner[of + OutlineShape.RADIUS];
+            float x = things.turnedCorner[of];
+            float y = things.turnedCorner[of + 1];
             minX = CircleMath.min(minX, (x + things.bentX(c, -1f, 0f)) - r);
             minY = CircleMath.min(minY, (y + things.bentY(c, 0f, -1f)) - r);
             maxX = CircleMath.max(maxX, (x + things.bentX(c, 1f, 0f)) + r);
             maxY = CircleMath.max(maxY, (y + things.bentY(c, 0f, 1f)) + r);
         }
         // an eighth more, and the rounding of coordinates
-        float m = 2.25f * near[t] + 0x1p-20f * (Math.abs(things.x[t]) + Math.abs(things.y[t]) + things.reach[t]);
+        float m = 2.25f * t.near + 0x1p-20f * (Math.abs(t.x) + Math.abs(t.y) + t.reach);
         float[] box = candidates.box;
-        box[4 * t] = things.x[t] + minX - m;
-        box[4 * t + 1] = things.y[t] + minY - m;
-        box[4 * t + 2] = things.x[t] + maxX + m;
-        box[4 * t + 3] = things.y[t] + maxY + m;
+        int at = 4 * t.number;
+        box[at] = t.x + minX - m;
+        box[at + 1] = t.y + minY - m;
+        box[at + 2] = t.x + maxX + m;
+        box[at + 3] = t.y + maxY + m;
     }
 
     // ---- pairs
 
     private void makePairs() {
         count = 0;
-        Arrays.fill(thingOfWall, -1);
+        Arrays.fill(thingOfWall, null);
         for (int type = 0; type < BODY_CIRCLE; type++) {
             for (int piece = 0; piece < team.pieces(); piece++) {
                 RigidKeys from = searches[team.worker(piece)].keys[type];
@@ -377,14 +361,14 @@ final class RigidPairs {
             long key = keys[at];
             if (key != before) { // else an image
                 before = key;
-                int id = RigidKeys.other(key);
-                a[count] = thingOfBody[RigidKeys.body(key)];
-                b[count++] = thing(type, id);
+                RigidPair pair = all[count++];
+                pair.a = thingOfBody[RigidKeys.body(key)];
+                pair.b = thing(type, RigidKeys.other(key));
             }
         }
     }
 
-    private int thing(int type, int id) {
+    private RigidThing thing(int type, int id) {
         return switch (type) {
             case BODY_BODY -> thingOfBody[id];
             case BODY_PIECE -> pieceThing(id);
@@ -394,136 +378,131 @@ final class RigidPairs {
     }
 
     private void ensurePairs(int needed) {
-        if (a.length < needed) {
-            int n = Math.max(64, needed + (needed >> 1));
-            a = Arrays.copyOf(a, n);
-            b = Arrays.copyOf(b, n);
-            ox = Arrays.copyOf(ox, n);
-            oy = Arrays.copyOf(oy, n);
-            margin = Arrays.copyOf(margin, n);
+        if (all.length < needed) {
+            int before = all.length;
+            RigidPair[] grown = Arrays.copyOf(all, Math.max(64, needed + (needed >> 1)));
+            for (int p = before; p < grown.length; p++) {
+                grown[p] = new RigidPair();
+            }
+            all = grown;
         }
     }
 
     private void measure(int worker, int from, int end) {
         for (int p = from; p < end; p++) {
-            measurePair(p);
+            measure(all[p]);
         }
     }
 
-    private void measurePair(int p) {
-        int t = a[p];
-        int other = b[p];
-        if (things.type[other] == BODY_PIECE) {
-            placePiece(p, t, things.id[other]);
+    private void measure(RigidPair pair) {
+        RigidThing t = pair.a;
+        RigidThing other = pair.b;
+        if (other.type == BODY_PIECE) {
+            measureFromPiece(pair);
         } else {
-            boolean near = state.wraps && things.type[other] != BODY_WALL;
-            float x = things.x[t] - things.x[other];
-            float y = things.y[t] - things.y[other];
-            ox[p] = near ? CircleMath.shortWay(x, state.periodX) : x + 0f;
-            oy[p] = near ? CircleMath.shortWay(y, state.periodY) : y + 0f;
+            boolean near = state.wraps && other.type != BODY_WALL;
+            pair.ox = near ? CircleMath.shortWay(t.x - other.x, state.periodX) : t.x - other.x + 0f;
+            pair.oy = near ? CircleMath.shortWay(t.y - other.y, state.periodY) : t.y - other.y + 0f;
         }
-        margin[p] = 2f * (near[t] + near[other]);
-        if (things.ownW[other] == 0f && things.shape[other] == null) {
-            margin[p] += 2f * Tuning.MARGIN * things.thin[t];
+        pair.margin = 2f * (t.near + other.near);
+        if (other.ownW == 0f && other.shape == null) {
+            pair.margin += 2f * Tuning.MARGIN * t.thin;
         }
     }
 
-    private void placePiece(int p, int t, int piece) {
-        int row = PieceRow.of(piece);
+    private void measureFromPiece(RigidPair pair) {
+        int row = PieceRow.of(pair.b.id);
         float[] rows = terrain.rows;
-        boolean moves = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0;
-        ox[p] = PieceMeasure.offsetX(state, things.x[t], rows, row) + (moves ? -rows[row + PieceRow.PIVOT_X] : 0f);
-        oy[p] = PieceMeasure.offsetY(state, things.y[t], rows, row) + (moves ? -rows[row + PieceRow.PIVOT_Y] : 0f);
+        boolean moves = terrain.traits[PieceRow.traits(pair.b.id) + PieceRow.MOTION] != 0;
+        pair.ox = PieceMeasure.offsetX(state, pair.a.x, rows, row) + (moves ? -rows[row + PieceRow.PIVOT_X] : 0f);
+        pair.oy = PieceMeasure.offsetY(state, pair.a.y, rows, row) + (moves ? -rows[row + PieceRow.PIVOT_Y] : 0f);
     }
 
     /** The thing of a body. */
-    int bodyThing(int id) {
+    RigidThing bodyThing(int id) {
         return thingOfBody[id];
     }
 
-    private boolean isKnown(int[] known, int id, int type) {
-        int t = known[id];
-        return t >= things.bodies && t < things.count && things.type[t] == type && things.id[t] == id;
+    /** Whether something that is no body is a thing of the step. */
+    private boolean isKnown(RigidThing t, int type, int id) {
+        return t != null && t.number >= things.bodies && t.number < things.count && t.type == type && t.id == id;
     }
 
-    private int pieceThing(int piece) {
+    private RigidThing pieceThing(int piece) {
         if (thingOfPiece.length <= piece) {
             thingOfPiece = Arrays.copyOf(thingOfPiece, terrain.pieces + (terrain.pieces >> 1));
         }
-        if (isKnown(thingOfPiece, piece, BODY_PIECE)) {
-            return thingOfPiece[piece];
+        if (!isKnown(thingOfPiece[piece], BODY_PIECE, piece)) {
+            RigidThing t = pieces.add(BODY_PIECE, piece, terrain, k);
+            takeSurface(t, KindSurface.of(t.kind));
+            t.restitution = terrain.kinds.rows[KindTerrain.of(t.kind) + KindTerrain.RESTITUTION];
+            t.near = 0.5f * terrain.rows[PieceRow.of(piece) + PieceRow.MOST];
+            thingOfPiece[piece] = t;
         }
-        int t = pieces.add(BODY_PIECE, piece, terrain, k);
-        takeSurface(t, KindSurface.of(things.kind[t]));
-        things.restitution[t] = terrain.kinds.rows[KindTerrain.of(things.kind[t]) + KindTerrain.RESTITUTION];
-        ensureNear();
-        near[t] = 0.5f * terrain.rows[PieceRow.of(piece) + PieceRow.MOST];
-        thingOfPiece[piece] = t;
-        return t;
+        return thingOfPiece[piece];
     }
 
-    private int wallThing(int wall) {
-        if (thingOfWall[wall] < 0) {
-            int t = pieces.addWall(BODY_WALL, wall, k);
+    private RigidThing wallThing(int wall) {
+        if (thingOfWall[wall] == null) {
+            RigidThing t = pieces.addWall(BODY_WALL, wall, k);
             takeSurface(t, KindSurface.ofWall(wall));
             // along the tangent of the normal into the arena, and not towards greater coordinates
-            things.belt[t] = wall == 1 || wall == 2 ? -things.belt[t] : things.belt[t];
-            ensureNear();
-            near[t] = 0.5f * searches[0].behind(wall);
+            t.belt = wall == 1 || wall == 2 ? -t.belt : t.belt;
+            t.near = 0.5f * searches[0].behind(wall);
             thingOfWall[wall] = t;
         }
         return thingOfWall[wall];
     }
 
-    private int circleThing(int id) {
+    private RigidThing circleThing(int id) {
         if (thingOfCircle.length <= id) {
             thingOfCircle = Arrays.copyOf(thingOfCircle, state.slotOf.length);
         }
-        if (isKnown(thingOfCircle, id, BODY_CIRCLE)) {
-            return thingOfCircle[id];
+        if (!isKnown(thingOfCircle[id], BODY_CIRCLE, id)) {
+            thingOfCircle[id] = addCircle(id);
         }
+        return thingOfCircle[id];
+    }
+
+    private RigidThing addCircle(int id) {
         int slot = state.slotOf[id];
         int s = CircleRow.of(slot);
         float r = state.circle[s + CircleRow.RADIUS];
-        int t = things.add(BODY_CIRCLE, id, state.circle[s + CircleRow.X], state.circle[s + CircleRow.Y]);
+        RigidThing t = things.add(BODY_CIRCLE, id, state.circle[s + CircleRow.X], state.circle[s + CircleRow.Y]);
         things.addDisc(0f, 0f, r);
-        things.thin[t] = r;
-        things.reach[t] = r;
-        things.w[t] = state.traits[s + CircleRow.INVERSE_MASS];
-        things.ownW[t] = state.ownInverseMass(slot);
-        things.restitution[t] = state.traits[s + CircleRow.RESTITUTION];
-        things.kind[t] = searches[0].kindOf(slot);
-        if (things.w[t] > 0f) {
-            things.gainX[t] = state.gainX(slot, k);
-            things.gainY[t] = state.gainY(slot, k);
+        t.thin = r;
+        t.reach = r;
+        t.w = state.traits[s + CircleRow.INVERSE_MASS];
+        t.ownW = state.ownInverseMass(slot);
+        t.restitution = state.traits[s + CircleRow.RESTITUTION];
+        t.kind = searches[0].kindOf(slot);
+        if (t.w > 0f) {
+            t.gainX = state.gainX(slot, k);
+            t.gainY = state.gainY(slot, k);
         }
         things.place(t);
-        ensureNear();
-        near[t] = searches[0].nearOf(slot);
-        thingOfCircle[id] = t;
+        t.near = searches[0].nearOf(slot);
         return t;
     }
 
     /** What surfaces circles touch with, once a step has begun to turn them. */
     void takeCircleSurfaces() {
-        for (int t = things.bodies; t < things.count && k.turning; t++) {
-            if (things.type[t] == BODY_CIRCLE) {
-                takeCircleSurface(t, state.slotOf[things.id[t]]);
+        for (int n = things.bodies; n < things.count && k.turning; n++) {
+            if (things.all[n].type == BODY_CIRCLE) {
+                takeCircleSurface(things.all[n], state.slotOf[things.all[n].id]);
             }
         }
     }
 
-    private void takeCircleSurface(int t, int slot) {
-        float r = things.thin[t];
+    private void takeCircleSurface(RigidThing t, int slot) {
+        float r = t.thin;
         if (slot < state.awake) {
             takeSurface(t, state.turning.circleSurfaces, KindSurface.of(slot));
-            things.i[t] = things.w[t] == 0f
-                    ? 0f
-                    : state.turning.spin[CircleRow.of(slot) + CircleRow.INVERSE_INERTIA] / (r * r);
-            things.ownI[t] = things.i[t];
+            t.i = t.w == 0f ? 0f : state.turning.spin[CircleRow.of(slot) + CircleRow.INVERSE_INERTIA] / (r * r);
+            t.ownI = t.i;
         } else {
-            takeSurfaceAtRest(t, things.id[t]);
-            things.ownI[t] = things.ownW[t] == 0f ? 0f : state.turning.ownInverseInertia(slot) / (r * r);
+            takeSurfaceAtRest(t);
+            t.ownI = t.ownW == 0f ? 0f : state.turning.ownInverseInertia(slot) / (r * r);
         }
     }
 
@@ -537,7 +516,7 @@ final class RigidPairs {
         }
         return sum
                 + ofCircles.bytes()
-                + 20L * a.length
-                + 4L * (near.length + thingOfBody.length + thingOfPiece.length + thingOfCircle.length);
+                + 76L * all.length
+                + 4L * (thingOfBody.length + thingOfPiece.length + thingOfCircle.length);
     }
 }

@@ -74,12 +74,12 @@ public final class RigidPasses {
         things = pairs.things;
         contacts = new RigidContacts(pairs, team);
         cover = new RigidCover(contacts, things, team);
-        order = new RigidOrder(contacts, pairs);
-        RigidRules rules = new RigidRules(contacts, things);
-        visits = new RigidVisits(contacts, pairs, rules, order, team, leastShare / PAIRS);
+        order = new RigidOrder(contacts, things);
+        RigidRules rules = new RigidRules();
+        visits = new RigidVisits(contacts, things, rules, order, team, leastShare / PAIRS);
         joints = new RigidJoints(state, pairs);
         resting = new RigidResting(state, pairs);
-        waking = new WakingByBodies(state, contacts, pairs, rules, resting, joints);
+        waking = new WakingByBodies(state, contacts, pairs, resting, joints);
     }
 
     /** How many workers are worth their while. */
@@ -127,8 +127,8 @@ public final class RigidPasses {
     public int circles(int[] slots) {
         int n = 0;
         for (int t = things.bodies; t < things.count; t++) {
-            if (things.type[t] == BODY_CIRCLE) {
-                slots[n++] = state.slotOf[things.id[t]];
+            if (things.all[t].type == BODY_CIRCLE) {
+                slots[n++] = state.slotOf[things.all[t].id];
             }
         }
         return n;
@@ -173,8 +173,8 @@ public final class RigidPasses {
     public void integrateVelocities() {
         team.share(things.bodies, 0, gain);
         for (int t = things.bodies; t < things.count; t++) {
-            if (things.type[t] != BODY_CIRCLE) {
-                setBefore(t);
+            if (things.all[t].type != BODY_CIRCLE) {
+                things.all[t].noteVelocity();
             }
         }
         joints.warmStart();
@@ -184,29 +184,24 @@ public final class RigidPasses {
     private void gain(int worker, int from, int end) {
         float[] motion = state.kindMotion;
         float[] surfaces = k.turning ? state.turning.surfaces : null;
-        for (int t = from; t < end; t++) {
-            things.vx[t] += things.gainX(t);
-            things.vy[t] += things.gainY(t);
-            things.omega[t] += things.gainOmega(t);
+        for (int n = from; n < end; n++) {
+            RigidThing t = things.all[n];
+            t.vx += t.takenX();
+            t.vy += t.takenY();
+            t.omega += t.takenOmega();
             if (motion != null) {
-                int row = KindMotion.of(things.kind[t]);
+                int row = KindMotion.of(t.kind);
                 float factor = motion[row + KindMotion.DAMPING_FACTOR];
-                float share = Velocity.shareWithin(
-                        things.vx[t] * factor, things.vy[t] * factor, motion[row + KindMotion.GREATEST_SPEED]);
-                things.vx[t] *= factor * share;
-                things.vy[t] *= factor * share;
+                float share =
+                        Velocity.shareWithin(t.vx * factor, t.vy * factor, motion[row + KindMotion.GREATEST_SPEED]);
+                t.vx *= factor * share;
+                t.vy *= factor * share;
             }
             if (surfaces != null) {
-                things.omega[t] *= surfaces[KindSurface.of(things.kind[t]) + KindSurface.DAMPING_FACTOR];
+                t.omega *= surfaces[KindSurface.of(t.kind) + KindSurface.DAMPING_FACTOR];
             }
-            setBefore(t);
+            t.noteVelocity();
         }
-    }
-
-    private void setBefore(int t) {
-        things.beforeX[t] = things.vx[t];
-        things.beforeY[t] = things.vy[t];
-        things.beforeOmega[t] = things.omega[t];
     }
 
     /** The biased pass over joints, bodies, pieces and walls. */
@@ -232,17 +227,18 @@ public final class RigidPasses {
     }
 
     private void move(int worker, int from, int end) {
-        for (int t = from; t < end; t++) {
-            switch (things.type[t]) {
+        for (int n = from; n < end; n++) {
+            RigidThing t = things.all[n];
+            switch (t.type) {
                 case BODY_PIECE -> pairs.pieces.pose(t, terrain, subStep + 1, k);
                 case BODY_WALL -> pairs.pieces.poseWall(t, subStep + 1, k);
                 case BODY_CIRCLE -> {
-                    int m = CircleRow.of(state.slotOf[things.id[t]]);
-                    things.dx[t] = state.motion[m + CircleRow.DX];
-                    things.dy[t] = state.motion[m + CircleRow.DY];
+                    int m = CircleRow.of(state.slotOf[t.id]);
+                    t.dx = state.motion[m + CircleRow.DX];
+                    t.dy = state.motion[m + CircleRow.DY];
                 }
                 default -> {
-                    if (!things.asleep[t]) {
+                    if (!t.asleep) {
                         moveBody(t);
                     }
                 }
@@ -250,13 +246,13 @@ public final class RigidPasses {
         }
     }
 
-    private void moveBody(int t) {
-        things.vx[t] = Velocity.limitSpeed(things.vx[t]);
-        things.vy[t] = Velocity.limitSpeed(things.vy[t]);
-        things.omega[t] = CircleMath.clamp(things.omega[t], -MOST_TURN * k.inverseH, MOST_TURN * k.inverseH);
-        things.dx[t] += things.vx[t] * k.h;
-        things.dy[t] += things.vy[t] * k.h;
-        things.turned[t] += things.omega[t] * k.h;
+    private void moveBody(RigidThing t) {
+        t.vx = Velocity.limitSpeed(t.vx);
+        t.vy = Velocity.limitSpeed(t.vy);
+        t.omega = CircleMath.clamp(t.omega, -MOST_TURN * k.inverseH, MOST_TURN * k.inverseH);
+        t.dx += t.vx * k.h;
+        t.dy += t.vy * k.h;
+        t.turned += t.omega * k.h;
         things.turnOn(t);
     }
 
@@ -279,33 +275,35 @@ public final class RigidPasses {
 
     /** Takes the velocities of circles as they are; before: also those without impulses. */
     private void takeCircles(boolean before) {
-        for (int t = things.bodies; t < things.count; t++) {
-            if (things.type[t] == BODY_CIRCLE) {
-                int slot = state.slotOf[things.id[t]];
+        for (int n = things.bodies; n < things.count; n++) {
+            RigidThing t = things.all[n];
+            if (t.type == BODY_CIRCLE) {
+                int slot = state.slotOf[t.id];
                 int s = CircleRow.of(slot);
-                things.vx[t] = state.motion[s + CircleRow.VX];
-                things.vy[t] = state.motion[s + CircleRow.VY];
+                t.vx = state.motion[s + CircleRow.VX];
+                t.vy = state.motion[s + CircleRow.VY];
                 boolean rests = slot >= state.awake;
                 if (k.turning && !rests) {
-                    things.omega[t] = state.turning.spin[s + CircleRow.SURFACE_SPEED] / things.thin[t];
+                    t.omega = state.turning.spin[s + CircleRow.SURFACE_SPEED] / t.thin;
                 }
                 if (before) {
-                    things.beforeX[t] = rests ? things.vx[t] : state.load[s + CircleRow.BEFORE_X];
-                    things.beforeY[t] = rests ? things.vy[t] : state.load[s + CircleRow.BEFORE_Y];
-                    things.beforeOmega[t] = k.turning && !rests ? state.turning.before(slot) / things.thin[t] : 0f;
+                    t.beforeX = rests ? t.vx : state.load[s + CircleRow.BEFORE_X];
+                    t.beforeY = rests ? t.vy : state.load[s + CircleRow.BEFORE_Y];
+                    t.beforeOmega = k.turning && !rests ? state.turning.before(slot) / t.thin : 0f;
                 }
             }
         }
     }
 
     private void giveCircles() {
-        for (int t = things.bodies; t < things.count; t++) {
-            if (things.type[t] == BODY_CIRCLE && things.w[t] > 0f) {
-                int s = CircleRow.of(state.slotOf[things.id[t]]);
-                state.motion[s + CircleRow.VX] = things.vx[t];
-                state.motion[s + CircleRow.VY] = things.vy[t];
+        for (int n = things.bodies; n < things.count; n++) {
+            RigidThing t = things.all[n];
+            if (t.type == BODY_CIRCLE && t.w > 0f) {
+                int s = CircleRow.of(state.slotOf[t.id]);
+                state.motion[s + CircleRow.VX] = t.vx;
+                state.motion[s + CircleRow.VY] = t.vy;
                 if (k.turning) {
-                    state.turning.spin[s + CircleRow.SURFACE_SPEED] = things.omega[t] * things.thin[t];
+                    state.turning.spin[s + CircleRow.SURFACE_SPEED] = t.omega * t.thin;
                 }
             }
         }
@@ -314,10 +312,10 @@ public final class RigidPasses {
     /** Circles that a body has pushed leave their paths. */
     private void freeCircles() {
         for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
-            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
-                int s = CircleRow.of(state.slotOf[things.id[pairs.b[contacts.pair[p]]]]);
-                if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f
-                        && state.motionClamp[s + CircleRow.ALLOWANCE] >= 0f) {
+            RigidPair pair = contacts.pairs[p];
+            int s = CircleRow.of(state.slotOf[pair.b.id]);
+            for (int n = pair.begin; n < pair.end; n++) {
+                if (contacts.all[n].impulse > 0f && state.motionClamp[s + CircleRow.ALLOWANCE] >= 0f) {
                     state.motionClamp[s + CircleRow.ALLOWANCE] = Float.POSITIVE_INFINITY;
                 }
             }
@@ -326,23 +324,19 @@ public final class RigidPasses {
 
     /** Adds what circles have accumulated to the impulses that act in their next sub-step. */
     private void pushCircles() {
-        float[] rows = contacts.rows;
         for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
-            int circle = pairs.b[contacts.pair[p]];
-            int s = CircleRow.of(state.slotOf[things.id[circle]]);
-            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
-                int row = RigidRow.of(c);
-                float nx = rows[row + RigidRow.NX];
-                float ny = rows[row + RigidRow.NY];
-                float impulse = rows[row + RigidRow.IMPULSE];
-                float grip = rows[row + RigidRow.GRIP];
-                if (impulse > 0f && things.w[circle] > 0f) {
-                    float side = contacts.a[c] == circle ? 1f : -1f;
-                    state.load[s + CircleRow.IMPULSE_X] += side * (nx * impulse - ny * grip);
-                    state.load[s + CircleRow.IMPULSE_Y] += side * (ny * impulse + nx * grip);
+            RigidPair pair = contacts.pairs[p];
+            RigidThing circle = pair.b;
+            int s = CircleRow.of(state.slotOf[circle.id]);
+            for (int n = pair.begin; n < pair.end; n++) {
+                RigidContact c = contacts.all[n];
+                if (c.impulse > 0f && circle.w > 0f) {
+                    float side = c.a == circle ? 1f : -1f;
+                    state.load[s + CircleRow.IMPULSE_X] += side * (c.nx * c.impulse - c.ny * c.grip);
+                    state.load[s + CircleRow.IMPULSE_Y] += side * (c.ny * c.impulse + c.nx * c.grip);
                     state.load[s + CircleRow.LOADED_NEXT] = 1f;
                     if (k.turning) {
-                        state.turning.spin[s + CircleRow.SPIN_IMPULSE] -= grip;
+                        state.turning.spin[s + CircleRow.SPIN_IMPULSE] -= c.grip;
                     }
                 }
             }
@@ -353,24 +347,25 @@ public final class RigidPasses {
 
     /** Ends the step: bodies take what they have become. */
     public void end() {
-        for (int t = 0; t < things.bodies; t++) {
-            int id = things.id[t];
-            if (things.asleep[t]) {
+        for (int n = 0; n < things.bodies; n++) {
+            RigidThing t = things.all[n];
+            int id = t.id;
+            if (t.asleep) {
                 continue;
             }
-            float movedX = things.dx[t] - step.restX[id];
-            float movedY = things.dy[t] - step.restY[id];
-            float x = things.x[t] + things.dx[t];
-            float y = things.y[t] + things.dy[t];
-            step.restX[id] = CircleMath.lostByRounding(things.x[t], things.dx[t], x);
-            step.restY[id] = CircleMath.lostByRounding(things.y[t], things.dy[t], y);
+            float movedX = t.dx - step.restX[id];
+            float movedY = t.dy - step.restY[id];
+            float x = t.x + t.dx;
+            float y = t.y + t.dy;
+            step.restX[id] = CircleMath.lostByRounding(t.x, t.dx, x);
+            step.restY[id] = CircleMath.lostByRounding(t.y, t.dy, y);
             step.x[id] = x;
             step.y[id] = y;
             keepInside(id);
-            step.angle[id] = Surface.turn(things.angle[t], things.turned[t], 1f, 1f);
-            step.vx[id] = Velocity.limitSpeed(things.vx[t]);
-            step.vy[id] = Velocity.limitSpeed(things.vy[t]);
-            step.omega[id] = Velocity.limitSpeed(things.omega[t]);
+            step.angle[id] = Surface.turn(t.angle, t.turned, 1f, 1f);
+            step.vx[id] = Velocity.limitSpeed(t.vx);
+            step.vy[id] = Velocity.limitSpeed(t.vy);
+            step.omega[id] = Velocity.limitSpeed(t.omega);
             if (kindSleep != null) {
                 rest(t, id, movedX, movedY);
             }
@@ -380,24 +375,24 @@ public final class RigidPasses {
         }
         if (!allRest) {
             contacts.keep(resting);
-            resting.publish(step);
+            step.resting = resting.kept;
             tell();
         }
     }
 
     /** A body that has moved by so much comes to rest, or begins anew to do so. */
-    private void rest(int t, int id, float movedX, float movedY) {
+    private void rest(RigidThing t, int id, float movedX, float movedY) {
         float driftX = step.extras.real(id, RigidExtras.DRIFT_X) + movedX;
         float driftY = step.extras.real(id, RigidExtras.DRIFT_Y) + movedY;
-        int turned = step.extras.get(id, RigidExtras.TURNED) + (step.angle[id] - things.angle[t]);
-        float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
-        int kind = KindSleep.of(things.kind[t]);
+        int turned = step.extras.get(id, RigidExtras.TURNED) + (step.angle[id] - t.angle);
+        float gain = t.gain();
+        int kind = KindSleep.of(t.kind);
         float damping = kindSleep[kind + KindSleep.DAMPING];
-        float most = Sleep.drift(things.thin[t], gain, k.inverseH, damping);
+        float most = Sleep.drift(t.thin, gain, k.inverseH, damping);
         boolean rests = (gain > 0f || damping > 0f)
                 && kindSleep[kind + KindSleep.AWAKE] == 0f
                 && Math.abs(step.omega[id]) * k.dt < Sleep.TURN_OF_STEP
-                && Sleep.rests(driftX, driftY, turned, things.reach[t], most)
+                && Sleep.rests(driftX, driftY, turned, t.reach, most)
                 && !joints.drive(id);
         if (!rests) {
             step.wake(id);
@@ -406,8 +401,8 @@ public final class RigidPasses {
         int rest = step.extras.get(id, RigidExtras.REST) + 1;
         step.setRest(id, rest, turned, driftX, driftY);
         if (Sleep.fallsAsleep(rest, k.dt)) {
-            step.setRest(id, Sleep.ASLEEP, Sleep.NO_OFFSET, things.gainX[t] * k.inverseH, things.gainY[t] * k.inverseH);
-            step.setSpinOfRest(id, things.gainOmega[t] * k.inverseH, 0);
+            step.setRest(id, Sleep.ASLEEP, Sleep.NO_OFFSET, t.gainX * k.inverseH, t.gainY * k.inverseH);
+            step.setSpinOfRest(id, t.gainOmega * k.inverseH, 0);
             step.vx[id] = 0f;
             step.vy[id] = 0f;
             step.omega[id] = 0f;
@@ -434,31 +429,34 @@ public final class RigidPasses {
         }
         step.touchesStay = false;
         for (int p = 0; p < contacts.pairCount; p++) {
-            int hardest = -1;
+            RigidPair pair = contacts.pairs[p];
+            RigidContact hardest = null;
             float most = 0f;
-            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
-                hardest = contacts.value(c, RigidRow.MOST) > most ? c : hardest;
-                most = Math.max(most, contacts.value(c, RigidRow.MOST));
+            for (int n = pair.begin; n < pair.end; n++) {
+                if (contacts.all[n].most > most) {
+                    hardest = contacts.all[n];
+                    most = hardest.most;
+                }
             }
-            if (hardest >= 0) {
-                tell(pairs.a[contacts.pair[p]], pairs.b[contacts.pair[p]], hardest);
+            if (hardest != null) {
+                tell(pair.a, pair.b, hardest);
             }
         }
     }
 
-    private void tell(int body, int other, int c) {
-        boolean isA = contacts.a[c] == body;
+    private void tell(RigidThing body, RigidThing other, RigidContact c) {
+        boolean isA = c.a == body;
         float side = isA ? -1f : 1f;
         step.addTouch(
-                things.type[other],
-                things.id[body],
-                things.id[other],
-                things.x[body] + (things.dx[body] + contacts.value(c, isA ? RigidRow.AX : RigidRow.BX)),
-                things.y[body] + (things.dy[body] + contacts.value(c, isA ? RigidRow.AY : RigidRow.BY)),
-                side * contacts.value(c, RigidRow.NX),
-                side * contacts.value(c, RigidRow.NY),
-                contacts.value(c, RigidRow.MOST),
-                contacts.value(c, RigidRow.APPROACH) + 0f); // never -0
+                other.type,
+                body.id,
+                other.id,
+                body.x + (body.dx + (isA ? c.ax : c.bx)),
+                body.y + (body.dy + (isA ? c.ay : c.by)),
+                side * c.nx,
+                side * c.ny,
+                c.most,
+                c.approach + 0f); // never -0
     }
 
     public long bytes() {
@@ -468,7 +466,6 @@ public final class RigidPasses {
                 + contacts.bytes()
                 + cover.bytes()
                 + order.bytes()
-                + visits.bytes()
                 + joints.bytes();
     }
 }

@@ -19,23 +19,23 @@ final class RigidPieces {
     }
 
     /** Adds a piece. Its place is (X, Y), or what it turns around if it moves. */
-    int add(int type, int piece, TerrainStep terrain, StepConstants k) {
+    RigidThing add(int type, int piece, TerrainStep terrain, StepConstants k) {
         float[] rows = terrain.rows;
         int row = PieceRow.of(piece);
         int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
         int motion = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
-        int t = things.add(type, piece, rows[row + PieceRow.X], rows[row + PieceRow.Y]);
-        things.kind[t] = terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
-        things.oneWay[t] = terrain.kinds.rows[KindTerrain.of(things.kind[t]) + KindTerrain.ONE_WAY] != 0f;
+        RigidThing t = things.add(type, piece, rows[row + PieceRow.X], rows[row + PieceRow.Y]);
+        t.kind = terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
+        t.oneWay = terrain.kinds.rows[KindTerrain.of(t.kind) + KindTerrain.ONE_WAY] != 0f;
         float px = 0f;
         float py = 0f;
         if (motion != 0) {
             int body = BodyRow.of(motion, k.subSteps);
             px = rows[row + PieceRow.PIVOT_X];
             py = rows[row + PieceRow.PIVOT_Y];
-            things.vx[t] = terrain.motion[body + BodyRow.VX] + 0f; // never -0
-            things.vy[t] = terrain.motion[body + BodyRow.VY] + 0f;
-            things.omega[t] = terrain.motion[body + BodyRow.OMEGA] + 0f;
+            t.vx = terrain.motion[body + BodyRow.VX] + 0f; // never -0
+            t.vy = terrain.motion[body + BodyRow.VY] + 0f;
+            t.omega = terrain.motion[body + BodyRow.OMEGA] + 0f;
         }
         if (PieceRow.form(shape) == PieceRow.ARC) {
             addArc(rows, row, shape, px, py);
@@ -46,7 +46,7 @@ final class RigidPieces {
         return t;
     }
 
-    private void addLine(int t, float[] rows, int row, int shape, float px, float py) {
+    private void addLine(RigidThing t, float[] rows, int row, int shape, float px, float py) {
         float tx = rows[row + PieceRow.TX];
         float ty = rows[row + PieceRow.TY];
         float nx = ty;
@@ -58,7 +58,7 @@ final class RigidPieces {
         float startX = rows[row + PieceRow.START_X] - px;
         float startY = rows[row + PieceRow.START_Y] - py;
         things.addLine(startX, startY, nx, ny, length, thickness);
-        if (PieceRow.form(shape) == PieceRow.SEGMENT && !things.oneWay[t]) {
+        if (PieceRow.form(shape) == PieceRow.SEGMENT && !t.oneWay) {
             things.addLine(endX, endY, -1f * nx, -1f * ny, length, thickness);
         }
         addStart(shape, startX, startY, thickness, nx, ny);
@@ -113,14 +113,14 @@ final class RigidPieces {
     }
 
     /** Brings a piece to where it is at a boundary of sub-steps. */
-    void pose(int t, TerrainStep terrain, int boundary, StepConstants k) {
-        int motion = terrain.traits[PieceRow.traits(things.id[t]) + PieceRow.MOTION];
+    void pose(RigidThing t, TerrainStep terrain, int boundary, StepConstants k) {
+        int motion = terrain.traits[PieceRow.traits(t.id) + PieceRow.MOTION];
         if (motion != 0) {
             int pose = BodyRow.of(motion, k.subSteps) + BodyRow.pose(boundary);
-            things.dx[t] = terrain.motion[pose + BodyRow.DX];
-            things.dy[t] = terrain.motion[pose + BodyRow.DY];
-            things.cos[t] = terrain.motion[pose + BodyRow.COS];
-            things.sin[t] = terrain.motion[pose + BodyRow.SIN];
+            t.dx = terrain.motion[pose + BodyRow.DX];
+            t.dy = terrain.motion[pose + BodyRow.DY];
+            t.cos = terrain.motion[pose + BodyRow.COS];
+            t.sin = terrain.motion[pose + BodyRow.SIN];
         }
         if (motion != 0 || boundary == 0) {
             things.place(t);
@@ -128,30 +128,30 @@ final class RigidPieces {
     }
 
     /** Adds a wall, by {@link WallMotion#of}. */
-    int addWall(int type, int wall, StepConstants k) {
+    RigidThing addWall(int type, int wall, StepConstants k) {
         boolean lower = (wall & 1) == 0;
         float side = lower ? 1f : -1f;
         float reach = Float.MAX_VALUE;
-        int t;
+        RigidThing t;
         if (wall < 2) {
             t = things.add(type, wall, lower ? k.bounds.minX() : k.bounds.maxX(), 0f);
             things.addLine(0f, -side * FAR, side, 0f, 2f * FAR, 0f);
-            things.vx[t] = side * k.walls.speedFor(wall, reach) + 0f; // never -0
+            t.vx = side * k.walls.speedFor(wall, reach) + 0f; // never -0
         } else {
             t = things.add(type, wall, 0f, lower ? k.bounds.minY() : k.bounds.maxY());
             things.addLine(side * FAR, 0f, 0f, side, 2f * FAR, 0f);
-            things.vy[t] = side * k.walls.speedFor(wall, reach) + 0f;
+            t.vy = side * k.walls.speedFor(wall, reach) + 0f;
         }
         poseWall(t, 0, k);
         things.place(t);
         return t;
     }
 
-    void poseWall(int t, int boundary, StepConstants k) {
-        int wall = things.id[t];
+    void poseWall(RigidThing t, int boundary, StepConstants k) {
+        int wall = t.id;
         float behind = k.walls.behind(wall, boundary - 1);
         float out = (wall & 1) == 0 ? -behind : behind;
-        things.dx[t] = wall < 2 ? out : 0f;
-        things.dy[t] = wall < 2 ? 0f : out;
+        t.dx = wall < 2 ? out : 0f;
+        t.dy = wall < 2 ? 0f : out;
     }
 }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.jvm.bodies;
 
+import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.state.State;
 import java.util.Arrays;
@@ -12,11 +13,8 @@ final class RigidResting {
     private final State state;
     private final RigidPairs pairs;
 
-    /** Contacts of the step before, in their order, as they are to stay. */
-    int count;
-
-    private int[] keys = new int[0];
-    private float[] impulses = new float[0];
+    /** Contacts of the step before as they are to stay. */
+    final KeptContacts kept = new KeptContacts();
 
     /** By body and by circle: one of its contacts, as twice a number and the side; -1 if it has none. */
     private int[] ofBody = new int[0];
@@ -40,10 +38,9 @@ final class RigidResting {
 
     /** Whether both things of a contact of the step before rest. */
     private boolean rests(RigidStep step, int o) {
-        int at = RigidStep.KEYS * o;
-        int b = step.contactKeys[at + RigidStep.B];
-        return step.isAsleep(step.contactKeys[at + RigidStep.A])
-                && switch (step.contactKeys[at + RigidStep.TYPE]) {
+        int b = step.contacts.b(o);
+        return step.isAsleep(step.contacts.a(o))
+                && switch (step.contacts.type(o)) {
                     case RigidStep.BODY_BODY -> step.isAsleep(b);
                     case RigidStep.BODY_CIRCLE -> pairs.isStill(state.slotOf[b]);
                     default -> true;
@@ -53,7 +50,7 @@ final class RigidResting {
     /** Whether all contacts of the step before are at rest. */
     boolean areAll(RigidStep step) {
         boolean all = true;
-        for (int o = 0; all && o < step.contacts; o++) {
+        for (int o = 0; all && o < step.contacts.count; o++) {
             all = rests(step, o);
         }
         return all;
@@ -73,24 +70,22 @@ final class RigidResting {
         if (ofCircle.length < state.slotOf.length) {
             ofCircle = new int[state.slotOf.length];
         }
-        if (next.length < 2 * step.contacts) {
-            next = new int[3 * step.contacts];
+        KeptContacts contacts = step.contacts;
+        if (next.length < 2 * contacts.count) {
+            next = new int[3 * contacts.count];
         }
         Arrays.fill(ofBody, -1);
         Arrays.fill(ofCircle, -1);
-        for (int o = 0; o < step.contacts; o++) {
+        for (int o = 0; o < step.contacts.count; o++) {
             if (rests(step, o)) {
-                int at = RigidStep.KEYS * o;
-                int a = step.contactKeys[at + RigidStep.A];
-                int b = step.contactKeys[at + RigidStep.B];
-                next[2 * o] = ofBody[a];
-                ofBody[a] = 2 * o;
-                if (step.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_BODY) {
-                    next[2 * o + 1] = ofBody[b];
-                    ofBody[b] = 2 * o + 1;
-                } else if (step.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_CIRCLE) {
-                    next[2 * o + 1] = ofCircle[b];
-                    ofCircle[b] = 2 * o + 1;
+                next[2 * o] = ofBody[contacts.a(o)];
+                ofBody[contacts.a(o)] = 2 * o;
+                int[] ofOther = contacts.type(o) == RigidStep.BODY_BODY
+                        ? ofBody
+                        : contacts.type(o) == RigidStep.BODY_CIRCLE ? ofCircle : null;
+                if (ofOther != null) {
+                    next[2 * o + 1] = ofOther[contacts.b(o)];
+                    ofOther[contacts.b(o)] = 2 * o + 1;
                 }
             }
         }
@@ -116,53 +111,28 @@ final class RigidResting {
 
     /** Takes what is to stay, since the step writes over it; it gets another scale if the length of steps does. */
     void take(RigidStep step, float scale) {
-        count = 0;
-        if (keys.length < RigidStep.KEYS * step.contacts) {
-            keys = new int[step.contactKeys.length];
-            impulses = new float[step.contactImpulses.length];
-        }
-        for (int o = 0; o < step.contacts; o++) {
+        kept.count = 0;
+        kept.ensure(step.contacts.count);
+        for (int o = 0; o < step.contacts.count; o++) {
             if (rests(step, o)) {
-                System.arraycopy(step.contactKeys, RigidStep.KEYS * o, keys, RigidStep.KEYS * count, RigidStep.KEYS);
-                for (int i = 0; i < RigidStep.IMPULSES; i++) {
-                    impulses[RigidStep.IMPULSES * count + i] = scale * step.contactImpulses[RigidStep.IMPULSES * o + i];
-                }
-                count++;
+                kept.add(step.contacts, o);
             }
+        }
+        for (int i = 0; i < KeptContacts.IMPULSES * kept.count; i++) {
+            kept.impulses[i] *= scale;
         }
     }
 
     /** Gives back what comes before a pair, from one on; returns the first that does not. */
     int keepBefore(RigidStep step, int from, int type, int a, int b) {
         int rest = from;
-        while (rest < count && RigidStep.compare(keys, RigidStep.KEYS * rest, type, a, b) < 0) {
-            System.arraycopy(
-                    keys, RigidStep.KEYS * rest, step.contactKeys, RigidStep.KEYS * step.contacts, RigidStep.KEYS);
-            System.arraycopy(
-                    impulses,
-                    RigidStep.IMPULSES * rest,
-                    step.contactImpulses,
-                    RigidStep.IMPULSES * step.contacts,
-                    RigidStep.IMPULSES);
-            step.contacts++;
-            rest++;
+        while (rest < kept.count && kept.compare(rest, type, a, b) < 0) {
+            step.contacts.add(kept, rest++);
         }
         return rest;
     }
 
-    /** Tells a step of the pairs. */
-    void publish(RigidStep step) {
-        if (step.restingKeys.length < RigidStep.TOUCH_KEYS * count) {
-            step.restingKeys = new int[RigidStep.TOUCH_KEYS * Math.max(64, 2 * count)];
-        }
-        step.resting = count;
-        for (int rest = 0; rest < count; rest++) {
-            System.arraycopy(
-                    keys, RigidStep.KEYS * rest, step.restingKeys, RigidStep.TOUCH_KEYS * rest, RigidStep.TOUCH_KEYS);
-        }
-    }
-
     long bytes() {
-        return 4L * (keys.length + impulses.length + ofBody.length + ofCircle.length + next.length);
+        return kept.bytes() + 4L * (ofBody.length + ofCircle.length + next.length);
     }
 }

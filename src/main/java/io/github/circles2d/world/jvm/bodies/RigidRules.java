@@ -8,7 +8,7 @@ import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Tuning;
 
-/** What a contact of rigid bodies does in a visit, by its numbers in {@link RigidRow}: masses, speeds, and impulses along the normal and the tangent. */
+/** What a contact of rigid bodies does in a visit, by the numbers of the step: masses, and impulses along the normal and the tangent. */
 final class RigidRules {
     /** Greatest speed of push-outs, by that of circles: half thicknesses are greater than what touches. */
     private static final float PUSH = 0.5f;
@@ -18,17 +18,9 @@ final class RigidRules {
     /** No masses and speeds that a world takes need more. It and the greatest speed keep all finite: of what is not, processors make what they like. */
     private static final float GREATEST_IMPULSE = 1e20f;
 
-    private final RigidContacts contacts;
-    private final RigidThings things;
-
     // within a step
     private StepConstants k;
     private boolean tells;
-
-    RigidRules(RigidContacts contacts, RigidThings things) {
-        this.contacts = contacts;
-        this.things = things;
-    }
 
     /** Begins a step; toTell: whether anybody asks how hard things have touched. */
     void begin(StepConstants constants, boolean toTell) {
@@ -37,227 +29,90 @@ final class RigidRules {
     }
 
     /** What both things of a contact have together. */
-    void begin(int c) {
-        float[] rows = contacts.rows;
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        int row = RigidRow.of(c);
-        rows[row + RigidRow.FRICTION] = Surface.friction(things.friction[a], things.friction[b]);
-        rows[row + RigidRow.ROLLING] = CircleMath.max(things.rolling[a], things.rolling[b]);
-        rows[row + RigidRow.BELTS] = things.belt[a] + things.belt[b];
-        rows[row + RigidRow.RESTITUTION] = CircleMath.max(things.restitution[a], things.restitution[b]);
-        rows[row + RigidRow.LENGTH] = things.ownW[a] == 0f
-                ? 2f * things.thin[b]
-                : things.ownW[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
-        rows[row + RigidRow.THRESHOLD] = Bounce.bounceThreshold(
-                rows[row + RigidRow.LENGTH],
-                rows[row + RigidRow.RESTITUTION],
-                k.thresholdRate,
-                k.restRate,
-                k.fixedThreshold);
+    void begin(RigidContact c) {
+        RigidThing a = c.a;
+        RigidThing b = c.b;
+        c.friction = Surface.friction(a.friction, b.friction);
+        c.rolling = CircleMath.max(a.rolling, b.rolling);
+        c.belts = a.belt + b.belt;
+        c.restitution = CircleMath.max(a.restitution, b.restitution);
+        c.length = a.ownW == 0f ? 2f * b.thin : b.ownW == 0f ? 2f * a.thin : a.thin + b.thin;
+        c.threshold = Bounce.bounceThreshold(c.length, c.restitution, k.thresholdRate, k.restRate, k.fixedThreshold);
         setMasses(c);
     }
 
-    void setMasses(int c) {
-        int row = RigidRow.of(c);
-        float normalMass = massOf(massOfA(c) + massOfB(c));
-        float tangentMass = gripMass(c, 1f, 1f);
-        contacts.rows[row + RigidRow.NORMAL_MASS] = normalMass;
-        contacts.rows[row + RigidRow.TANGENT_MASS] = tangentMass;
-        setTerms(contacts.rows, row);
+    /** Masses and terms of a contact that has been measured. */
+    void setMasses(RigidContact c) {
+        c.normalMass = RigidContact.massOf(c.massOfA() + c.massOfB());
+        c.tangentMass = c.gripMass(1f, 1f);
+        boolean apart = c.gap > 0f;
+        c.speedScale = apart ? 1f : k.contactSoftness.massScale;
+        c.decay = apart ? 0f : k.contactSoftness.impulseScale;
+        c.near = apart ? c.gap * k.inverseH : 0f;
+        c.bias = apart ? c.near : Constraints.softBias(c.gap, pushSpeed(c), k.contactSoftness, k);
     }
 
-    private void setTerms(float[] rows, int row) {
-        float gap = rows[row + RigidRow.GAP];
-        boolean apart = gap > 0f;
-        float soft = Constraints.softBias(gap, pushSpeed(row), k.contactSoftness, k);
-        rows[row + RigidRow.SPEED_SCALE] = apart ? 1f : k.contactSoftness.massScale;
-        rows[row + RigidRow.DECAY] = apart ? 0f : k.contactSoftness.impulseScale;
-        rows[row + RigidRow.BIAS] = apart ? gap * k.inverseH : soft;
-        rows[row + RigidRow.NEAR] = apart ? gap * k.inverseH : 0f;
-    }
-
-    private float pushSpeed(int row) {
-        return PUSH * k.pushRate * contacts.rows[row + RigidRow.LENGTH];
-    }
-
-    /** One over the effective mass of A alone along the normal. */
-    float massOfA(int c) {
-        return inverseMass(contacts.a[c], RigidRow.of(c), RigidRow.AX);
-    }
-
-    float massOfB(int c) {
-        return inverseMass(contacts.b[c], RigidRow.of(c), RigidRow.BX);
-    }
-
-    private float inverseMass(int t, int row, int armX) {
-        float[] rows = contacts.rows;
-        float arm = rows[row + armX] * rows[row + RigidRow.NY] - rows[row + armX + 1] * rows[row + RigidRow.NX];
-        return things.ownW[t] + things.ownI[t] * arm * arm;
-    }
-
-    /** Shares: 1, or of what counts as lighter. */
-    float gripMass(int c, float shareA, float shareB) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        float nx = rows[row + RigidRow.NX];
-        float ny = rows[row + RigidRow.NY];
-        float armA = rows[row + RigidRow.AX] * nx + rows[row + RigidRow.AY] * ny;
-        float armB = rows[row + RigidRow.BX] * nx + rows[row + RigidRow.BY] * ny;
-        return massOf(shareA * (things.ownW[a] + things.ownI[a] * armA * armA)
-                + shareB * (things.ownW[b] + things.ownI[b] * armB * armB));
-    }
-
-    /** An effective mass, from one over it. No impulse moves what has none. */
-    static float massOf(float inverse) {
-        return inverse >= Float.MIN_NORMAL ? 1f / inverse : 0f;
+    private float pushSpeed(RigidContact c) {
+        return PUSH * k.pushRate * c.length;
     }
 
     /** Whether a contact stops what would come far into the other within a sub-step. */
-    boolean isHit(int row) {
-        return isFast(row) && contacts.rows[row + RigidRow.IMPULSE] > 0f;
+    boolean isHit(RigidContact c) {
+        return isFast(c) && c.impulse > 0f;
     }
 
-    boolean isFast(int row) {
-        float[] rows = contacts.rows;
-        return rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH];
-    }
-
-    /** Whether a contact with a restitution is fast enough to bounce. */
-    boolean isImpact(int row, float before) {
-        return before < 0f && before * before > contacts.rows[row + RigidRow.THRESHOLD];
+    boolean isFast(RigidContact c) {
+        return c.approach * k.h > Tuning.CAP * c.length;
     }
 
     /** Whether a contact has closed without an impulse, as a body turns: it is to bounce in the next sub-step, not to stop now. */
-    boolean bouncesLater(int c, float vn) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        return rows[row + RigidRow.RESTITUTION] > 0f
-                && rows[row + RigidRow.IMPULSE] == 0f
-                && !(rows[row + RigidRow.GAP] > 0f)
-                && bounceSpeed(c, vn) > 0f;
-    }
-
-    boolean isIdle(int row) {
-        float[] rows = contacts.rows;
-        return rows[row + RigidRow.GAP] > 0f && rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f;
-    }
-
-    float normalSpeed(int c) {
-        return normalSpeed(c, things.vx, things.vy, things.omega);
-    }
-
-    /** Before impulses. */
-    float speedBefore(int c) {
-        return normalSpeed(c, things.beforeX, things.beforeY, things.beforeOmega);
-    }
-
-    private float normalSpeed(int c, float[] vx, float[] vy, float[] omega) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        return speedX(rows, row, vx, omega, a, b) * rows[row + RigidRow.NX]
-                + speedY(rows, row, vy, omega, a, b) * rows[row + RigidRow.NY];
-    }
-
-    static float speedX(float[] rows, int row, float[] vx, float[] omega, int a, int b) {
-        return (vx[a] - omega[a] * rows[row + RigidRow.AY]) - (vx[b] - omega[b] * rows[row + RigidRow.BY]);
-    }
-
-    static float speedY(float[] rows, int row, float[] vy, float[] omega, int a, int b) {
-        return (vy[a] + omega[a] * rows[row + RigidRow.AX]) - (vy[b] + omega[b] * rows[row + RigidRow.BX]);
+    boolean bouncesLater(RigidContact c, float vn) {
+        return c.restitution > 0f && c.impulse == 0f && !(c.gap > 0f) && bounceSpeed(c, vn) > 0f;
     }
 
     /** Solves with bias along the normal, where contacts bounce, too; before: the speed before impulses. Returns what the impulse gains. */
-    float solvedNormal(int c, float mass, float vn, float before) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float gap = rows[row + RigidRow.GAP];
-        float impulse = rows[row + RigidRow.IMPULSE];
-        float approach = Branchless.greater(rows[row + RigidRow.APPROACH], -before);
-        float bounce = rows[row + RigidRow.RESTITUTION] > 0f ? bounceSpeed(c, before) : 0f;
-        rows[row + RigidRow.APPROACH] = approach;
-        rows[row + RigidRow.BOUNCE] = bounce;
-        return take(row, Constraints.solve(impulse, mass, vn, gap, bounce, pushSpeed(row), k.contactSoftness, k));
+    float solvedNormal(RigidContact c, float mass, float vn, float before) {
+        c.approach = Branchless.greater(c.approach, -before);
+        c.bounce = c.restitution > 0f ? bounceSpeed(c, before) : 0f;
+        return take(c, Constraints.solve(c.impulse, mass, vn, c.gap, c.bounce, pushSpeed(c), k.contactSoftness, k));
     }
 
     /** Solves with bias along the normal of a contact that does not bounce. Returns what the impulse gains. */
-    float solvedNormal(int row, float vn) {
-        float[] rows = contacts.rows;
-        float impulse = rows[row + RigidRow.IMPULSE];
-        return take(
-                row,
-                Constraints.visit(
-                        impulse,
-                        rows[row + RigidRow.NORMAL_MASS],
-                        rows[row + RigidRow.SPEED_SCALE],
-                        vn,
-                        rows[row + RigidRow.BIAS],
-                        rows[row + RigidRow.DECAY] * impulse));
+    float solvedNormal(RigidContact c, float vn) {
+        return take(c, Constraints.visit(c.impulse, c.normalMass, c.speedScale, vn, c.bias, c.decay * c.impulse));
     }
 
-    float relaxedNormal(int row, float mass, float vn) {
-        float[] rows = contacts.rows;
-        return take(row, Constraints.visit(rows[row + RigidRow.IMPULSE], mass, 1f, vn, rows[row + RigidRow.NEAR], 0f));
+    float relaxedNormal(RigidContact c, float mass, float vn) {
+        return take(c, Constraints.visit(c.impulse, mass, 1f, vn, c.near, 0f));
     }
 
-    private float take(int row, float wanted) {
-        float[] rows = contacts.rows;
+    private float take(RigidContact c, float wanted) {
         float next = CircleMath.min(wanted, GREATEST_IMPULSE);
-        float gain = next - rows[row + RigidRow.IMPULSE];
-        rows[row + RigidRow.IMPULSE] = next;
+        float gain = next - c.impulse;
+        c.impulse = next;
         if (tells) {
-            rows[row + RigidRow.MOST] = Branchless.greater(rows[row + RigidRow.MOST], next);
+            c.most = Branchless.greater(c.most, next);
         }
         return gain;
     }
 
     /** Of a contact with a restitution. */
-    private float bounceSpeed(int c, float before) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float e = rows[row + RigidRow.RESTITUTION];
-        float threshold = rows[row + RigidRow.THRESHOLD];
-        if (!isImpact(row, before)
-                || !(Constraints.bounceSpeed(e, 1f, before, rows[row + RigidRow.GAP], k.h, threshold, pushSpeed(row))
-                        > 0f)) {
+    private float bounceSpeed(RigidContact c, float before) {
+        float e = c.restitution;
+        if (!c.isImpact(before)
+                || !(Constraints.bounceSpeed(e, 1f, before, c.gap, k.h, c.threshold, pushSpeed(c)) > 0f)) {
             return 0f;
         }
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        int falls = things.w[a] == 0f ? b : a;
-        float fall = things.gainX(falls) * rows[row + RigidRow.NX] + things.gainY(falls) * rows[row + RigidRow.NY];
-        float half = Bounce.halfFall(fall, things.w[b], things.w[a]);
+        RigidThing falls = c.a.w == 0f ? c.b : c.a;
+        float fall = falls.takenX() * c.nx + falls.takenY() * c.ny;
+        float half = Bounce.halfFall(fall, c.b.w, c.a.w);
         return CircleMath.max(-e * before + (1f + e) * half, LEAST_BOUNCE);
     }
 
-    /** Whether there is friction, or has been. */
-    boolean hasGrip(int row) {
-        return contacts.rows[row + RigidRow.FRICTION] > 0f || contacts.rows[row + RigidRow.GRIP] != 0f;
-    }
-
-    /** Whether friction may change something, where nothing rolls. */
-    boolean grips(int row) {
-        float grip = contacts.rows[row + RigidRow.GRIP];
-        return grip != 0f || contacts.rows[row + RigidRow.IMPULSE] != 0f && hasGrip(row);
-    }
-
     /** By the speed along the tangent. Returns what the grip gains. */
-    float gripped(int row, float mass, float along) {
-        float[] rows = contacts.rows;
-        float before = rows[row + RigidRow.GRIP];
-        float slip = along - rows[row + RigidRow.BELTS];
-        float next = Surface.grip(before, mass, slip, rows[row + RigidRow.FRICTION] * rows[row + RigidRow.IMPULSE]);
-        rows[row + RigidRow.GRIP] = next;
-        return next - before;
-    }
-
-    /** Whether nothing presses or grips, so that the next friction changes nothing. */
-    boolean isFree(int row) {
-        float[] rows = contacts.rows;
-        return rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f && rows[row + RigidRow.ROLL] == 0f;
+    float gripped(RigidContact c, float mass, float along) {
+        float before = c.grip;
+        c.grip = Surface.grip(before, mass, along - c.belts, c.friction * c.impulse);
+        return c.grip - before;
     }
 }

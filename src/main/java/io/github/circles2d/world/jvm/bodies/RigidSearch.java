@@ -60,12 +60,12 @@ final class RigidSearch {
     }
 
     /** Finds what is near to a body, of two bodies by that of the lower id. */
-    void findNear(int t) {
+    void findNear(RigidThing t) {
         findBodies(t);
-        if (things.gives(t)) {
+        if (t.gives()) {
             // what does not move has no thickness of its own
-            float m = 2f * Tuning.MARGIN * things.thin[t];
-            int at = 4 * t;
+            float m = 2f * Tuning.MARGIN * t.thin;
+            int at = 4 * t.number;
             float minX = candidates.box[at] - m;
             float minY = candidates.box[at + 1] - m;
             float maxX = candidates.box[at + 2] + m;
@@ -79,16 +79,16 @@ final class RigidSearch {
         }
     }
 
-    private void findBodies(int t) {
-        int[] of = candidates.of(t);
-        int last = candidates.last(t);
-        for (int k = candidates.first(t); k < last; k++) {
-            int other = of[k];
-            if (candidates.meet(t, other)
-                    && (things.gives(t) || things.gives(other))
-                    && meets(things.kind[t], things.kind[other])
+    private void findBodies(RigidThing t) {
+        int[] of = candidates.of(t.number);
+        int last = candidates.last(t.number);
+        for (int k = candidates.first(t.number); k < last; k++) {
+            RigidThing other = things.all[of[k]];
+            if (candidates.meet(t.number, other.number)
+                    && (t.gives() || other.gives())
+                    && meets(t.kind, other.kind)
                     && !areOfOneGroup(t, other)) {
-                add(BODY_BODY, things.id[t], things.id[other]);
+                add(BODY_BODY, t.id, other.id);
             }
         }
     }
@@ -97,13 +97,12 @@ final class RigidSearch {
         return !state.filtering || PairTable.get(state.responses, kind, other) == PairTable.SOLID;
     }
 
-    private boolean areOfOneGroup(int t, int other) {
-        return step.extras.areThere()
-                && step.isOfGroup(things.id[t], step.extras.get(things.id[other], RigidExtras.GROUP));
+    private boolean areOfOneGroup(RigidThing t, RigidThing other) {
+        return step.extras.areThere() && step.isOfGroup(t.id, step.extras.get(other.id, RigidExtras.GROUP));
     }
 
-    private void findWalls(int t, float minX, float minY, float maxX, float maxY) {
-        int body = things.id[t];
+    private void findWalls(RigidThing t, float minX, float minY, float maxX, float maxY) {
+        int body = t.id;
         if (minX - behind(0) < k.bounds.minX()) {
             add(BODY_WALL, body, 0);
         }
@@ -123,15 +122,15 @@ final class RigidSearch {
         return CircleMath.max(k.walls.travel[wall], 0f);
     }
 
-    private void findPieces(int t, float minX, float minY, float maxX, float maxY) {
+    private void findPieces(RigidThing t, float minX, float minY, float maxX, float maxY) {
         for (int n = 0; n < state.images.count; n++) {
             float ax = state.images.x[n];
             float ay = state.images.y[n];
             int node = terrain.find(0, minX + ax, minY + ay, maxX + ax, maxY + ay);
             while (node >= 0) {
                 int piece = terrain.piece(node);
-                if (meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
-                    add(BODY_PIECE, things.id[t], piece);
+                if (meets(t.kind, terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+                    add(BODY_PIECE, t.id, piece);
                 }
                 node = terrain.find(node + 1, minX + ax, minY + ay, maxX + ax, maxY + ay);
             }
@@ -152,10 +151,10 @@ final class RigidSearch {
         int kind = state.filtering ? kindOf(slot) : 0;
         int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, state.id[slot]) : 0;
         for (int f = 0; f < found.count; f++) {
-            int t = found.box[f];
-            boolean moves = things.gives(t) || !isStill(slot);
-            if (moves && meets(things.kind[t], kind) && !step.isOfGroup(things.id[t], group)) {
-                add(BODY_CIRCLE, things.id[t], state.id[slot]);
+            RigidThing t = things.all[found.box[f]];
+            boolean moves = t.gives() || !isStill(slot);
+            if (moves && meets(t.kind, kind) && !step.isOfGroup(t.id, group)) {
+                add(BODY_CIRCLE, t.id, state.id[slot]);
             }
         }
     }

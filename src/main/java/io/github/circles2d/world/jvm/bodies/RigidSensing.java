@@ -454,13 +454,13 @@ public final class RigidSensing {
         int row = PieceRow.of(piece);
         int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
         if (PieceRow.form(shape) == PieceRow.ARC) {
-            double dx = b.edges[SensedShape.CENTRE_X];
-            double dy = b.edges[SensedShape.CENTRE_Y];
+            double dx = b.edges[0].centreX;
+            double dy = b.edges[0].centreY;
             boolean outside = Math.sqrt(dx * dx + dy * dy) > rows[row + PieceRow.LENGTH];
             return outside == ((shape & PieceRow.SOLID_OUTSIDE) == 0);
         }
-        double dx = 0 - b.edges[SensedShape.FROM_X];
-        double dy = 0 - b.edges[SensedShape.FROM_Y];
+        double dx = 0 - b.edges[0].fromX;
+        double dy = 0 - b.edges[0].fromY;
         return dx * rows[row + PieceRow.TY] - dy * rows[row + PieceRow.TX] > 0;
     }
 

@@ -1,90 +1,15 @@
 package io.github.circles2d.world.jvm.bodies;
 
 import io.github.circles2d.world.bodies.OutlineShape;
-import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.model.Surface;
 import java.util.Arrays;
 
-/**
- * What takes part in contacts of rigid bodies in a step: the bodies, and the pieces of terrain, walls and circles near to them. All are alike: a
- * place, an angle, velocities, and an outline of corners and lines, which turns with them.
- *
- * <p>A place is a base, which stays for a step, and the displacement since, as those of circles.
- */
+/** The {@link RigidThing things} of a step, with their corners and lines. The first ones are the bodies, in the order of their ids. */
 final class RigidThings {
+    RigidThing[] all = {};
     int count;
-
-    /** The first things are the bodies, in the order of their ids. */
     int bodies;
-
-    /** {@link RigidStep#BODY_BODY} of a body, and so on. */
-    int[] type = new int[0];
-
-    int[] id = new int[0];
-    float[] x = new float[0];
-    float[] y = new float[0];
-    float[] dx = new float[0];
-    float[] dy = new float[0];
-    int[] angle = new int[0];
-
-    /** Of bodies: by how much they have turned in the step, in radians. */
-    float[] turned = new float[0];
-
-    float[] cos = new float[0];
-    float[] sin = new float[0];
-    float[] vx = new float[0];
-    float[] vy = new float[0];
-    float[] omega = new float[0];
-
-    /** Within a sub-step: velocities before impulses. */
-    float[] beforeX = new float[0];
-
-    float[] beforeY = new float[0];
-    float[] beforeOmega = new float[0];
-
-    /** Inverse mass and inertia; 0 of what contacts do not move. */
-    float[] w = new float[0];
-
-    float[] i = new float[0];
-
-    /** The same, also of what sleeps, which moves others as if it would give way. */
-    float[] ownW = new float[0];
-
-    float[] ownI = new float[0];
-
-    /** Lengths of contacts are measured by it. */
-    float[] thin = new float[0];
-
-    float[] reach = new float[0];
-    float[] restitution = new float[0];
-    float[] friction = new float[0];
-    float[] rolling = new float[0];
-    float[] belt = new float[0];
-
-    /** Speed by gravity and forces in a sub-step, also of a body that sleeps, which does not take it. */
-    float[] gainX = new float[0];
-
-    float[] gainY = new float[0];
-    float[] gainOmega = new float[0];
-    int[] kind = new int[0];
-
-    /** Of a body: whether it sleeps. */
-    boolean[] asleep = new boolean[0];
-
-    /** Of a piece that lets pass what comes from behind. */
-    boolean[] oneWay = new boolean[0];
-
-    /** Those that {@link #add} sets to 0. */
-    private float[][] zeroAtFirst = {};
-
-    int[] firstCorner = new int[0];
-    int[] corners = new int[0];
-    int[] firstLine = new int[0];
-    int[] lines = new int[0];
-
-    /** Null of what is no body. */
-    OutlineShape[] shape = new OutlineShape[0];
 
     /** Corners and lines against the place of their thing, as they lie and as they have turned; {@link OutlineShape} numbers the elements. */
     float[] corner = new float[0];
@@ -95,18 +20,13 @@ final class RigidThings {
     private int cornerCount;
     private int lineCount;
 
-    /** Forgets the things from one on, which have been added last. */
+    /** Forgets the things from a number on, which have been added last. */
     void truncate(int from) {
         if (from < count) {
-            cornerCount = firstCorner[from];
-            lineCount = firstLine[from];
+            cornerCount = all[from].firstCorner;
+            lineCount = all[from].firstLine;
             count = from;
         }
-    }
-
-    /** Whether a thing is a body with an outline; nobody else has made it. */
-    boolean isBody(int t, int itsId, OutlineShape outline) {
-        return t < bodies && id[t] == itsId && shape[t] == outline;
     }
 
     static int corner(int c) {
@@ -118,94 +38,21 @@ final class RigidThings {
     }
 
     /** One more thing without corners and lines, at rest and unturned. */
-    int add(int itsType, int itsId, float atX, float atY) {
-        if (count == type.length) {
-            grow(Math.max(64, 2 * count));
+    RigidThing add(int type, int id, float x, float y) {
+        if (count == all.length) {
+            RigidThing[] grown = Arrays.copyOf(all, Math.max(64, 2 * count));
+            for (int t = count; t < grown.length; t++) {
+                grown[t] = new RigidThing(t);
+            }
+            all = grown;
         }
-        int t = count++;
-        type[t] = itsType;
-        id[t] = itsId;
-        x[t] = atX;
-        y[t] = atY;
-        angle[t] = 0;
-        for (float[] each : zeroAtFirst) {
-            each[t] = 0f;
-        }
-        cos[t] = 1f;
-        reach[t] = Float.POSITIVE_INFINITY;
-        kind[t] = 0;
-        asleep[t] = false;
-        oneWay[t] = false;
-        shape[t] = null;
-        firstCorner[t] = cornerCount;
-        corners[t] = 0;
-        firstLine[t] = lineCount;
-        lines[t] = 0;
+        RigidThing t = all[count++];
+        t.begin(type, id, x, y);
+        t.firstCorner = cornerCount;
+        t.endCorner = cornerCount;
+        t.firstLine = lineCount;
+        t.endLine = lineCount;
         return t;
-    }
-
-    private void grow(int n) {
-        type = Arrays.copyOf(type, n);
-        id = Arrays.copyOf(id, n);
-        x = Arrays.copyOf(x, n);
-        y = Arrays.copyOf(y, n);
-        dx = Arrays.copyOf(dx, n);
-        dy = Arrays.copyOf(dy, n);
-        angle = Arrays.copyOf(angle, n);
-        turned = Arrays.copyOf(turned, n);
-        cos = Arrays.copyOf(cos, n);
-        sin = Arrays.copyOf(sin, n);
-        vx = Arrays.copyOf(vx, n);
-        vy = Arrays.copyOf(vy, n);
-        omega = Arrays.copyOf(omega, n);
-        beforeX = Arrays.copyOf(beforeX, n);
-        beforeY = Arrays.copyOf(beforeY, n);
-        beforeOmega = Arrays.copyOf(beforeOmega, n);
-        w = Arrays.copyOf(w, n);
-        i = Arrays.copyOf(i, n);
-        ownW = Arrays.copyOf(ownW, n);
-        ownI = Arrays.copyOf(ownI, n);
-        thin = Arrays.copyOf(thin, n);
-        reach = Arrays.copyOf(reach, n);
-        restitution = Arrays.copyOf(restitution, n);
-        friction = Arrays.copyOf(friction, n);
-        rolling = Arrays.copyOf(rolling, n);
-        belt = Arrays.copyOf(belt, n);
-        gainX = Arrays.copyOf(gainX, n);
-        gainY = Arrays.copyOf(gainY, n);
-        gainOmega = Arrays.copyOf(gainOmega, n);
-        asleep = Arrays.copyOf(asleep, n);
-        kind = Arrays.copyOf(kind, n);
-        oneWay = Arrays.copyOf(oneWay, n);
-        shape = Arrays.copyOf(shape, n);
-        firstCorner = Arrays.copyOf(firstCorner, n);
-        corners = Arrays.copyOf(corners, n);
-        firstLine = Arrays.copyOf(firstLine, n);
-        lines = Arrays.copyOf(lines, n);
-        zeroAtFirst = new float[][] {
-            dx,
-            dy,
-            turned,
-            sin,
-            vx,
-            vy,
-            omega,
-            beforeX,
-            beforeY,
-            beforeOmega,
-            w,
-            i,
-            ownW,
-            ownI,
-            thin,
-            restitution,
-            friction,
-            rolling,
-            belt,
-            gainX,
-            gainY,
-            gainOmega
-        };
     }
 
     private void ensure(int moreCorners, int moreLines) {
@@ -221,39 +68,23 @@ final class RigidThings {
         }
     }
 
-    /** Whether contacts move or turn a thing. */
-    boolean gives(int t) {
-        return w[t] > 0f || i[t] > 0f;
-    }
-
-    /** What a thing takes of {@link #gainX}. */
-    float gainX(int t) {
-        return asleep[t] ? 0f : gainX[t];
-    }
-
-    float gainY(int t) {
-        return asleep[t] ? 0f : gainY[t];
-    }
-
-    float gainOmega(int t) {
-        return asleep[t] ? 0f : gainOmega[t];
-    }
-
     /** Gives the last thing the outline of a body. */
     void setShape(OutlineShape outline) {
-        int t = count - 1;
         float[] itsCorners = outline.corners();
         float[] itsLines = outline.lines();
-        corners[t] = itsCorners.length / OutlineShape.CORNER_STRIDE;
-        lines[t] = itsLines.length / OutlineShape.LINE_STRIDE;
-        ensure(corners[t], lines[t]);
+        int moreCorners = itsCorners.length / OutlineShape.CORNER_STRIDE;
+        int moreLines = itsLines.length / OutlineShape.LINE_STRIDE;
+        ensure(moreCorners, moreLines);
         System.arraycopy(itsCorners, 0, corner, corner(cornerCount), itsCorners.length);
         System.arraycopy(itsLines, 0, line, line(lineCount), itsLines.length);
-        cornerCount += corners[t];
-        lineCount += lines[t];
-        shape[t] = outline;
-        reach[t] = outline.reach();
-        thin[t] = outline.halfThickness();
+        cornerCount += moreCorners;
+        lineCount += moreLines;
+        RigidThing t = all[count - 1];
+        t.endCorner = cornerCount;
+        t.endLine = lineCount;
+        t.shape = outline;
+        t.reach = outline.reach();
+        t.thin = outline.halfThickness();
     }
 
     /** Gives the last thing one more corner, with a cone of normals, anticlockwise from the first to the second one. */
@@ -268,7 +99,7 @@ final class RigidThings {
         corner[c + OutlineShape.TO_X] = toX;
         corner[c + OutlineShape.TO_Y] = toY;
         corner[c + OutlineShape.BEND] = 0f;
-        corners[count - 1]++;
+        all[count - 1].endCorner = cornerCount;
     }
 
     /** Gives the last thing a corner that is a whole disc. */
@@ -286,7 +117,7 @@ final class RigidThings {
         line[l + OutlineShape.NY] = ny;
         line[l + OutlineShape.LENGTH] = length;
         line[l + OutlineShape.THICKNESS] = thickness;
-        lines[count - 1]++;
+        all[count - 1].endLine = lineCount;
     }
 
     boolean isBent(int c) {
@@ -319,15 +150,15 @@ final class RigidThings {
     }
 
     /** The same of an arc of a thing, which may have several corners. */
-    int endOf(int t, int c, float nx, float ny) {
+    int endOf(RigidThing t, int c, float nx, float ny) {
         return isOfArc(t, c, nx, ny) ? 0 : endOf(c, nx, ny);
     }
 
     /** Whether an arc that a corner of a thing goes on as has a direction in its cone; the corner is an end of the arc, or a part of it. */
-    boolean isOfArc(int t, int c, float nx, float ny) {
-        int last = firstCorner[t] + corners[t] - 1;
-        int before = c == firstCorner[t] ? last : c - 1;
-        int after = c == last ? firstCorner[t] : c + 1;
+    boolean isOfArc(RigidThing t, int c, float nx, float ny) {
+        int last = t.endCorner - 1;
+        int before = c == t.firstCorner ? last : c - 1;
+        int after = c == last ? t.firstCorner : c + 1;
         return goesOnAs(c, before, OutlineShape.FROM_X, OutlineShape.TO_X) && isInCone(before, nx, ny, 0f)
                 || goesOnAs(c, after, OutlineShape.TO_X, OutlineShape.FROM_X) && isInCone(after, nx, ny, 0f);
     }
@@ -353,18 +184,17 @@ final class RigidThings {
     }
 
     /** Sets the angle of a body from what it has turned, and turns its outline. */
-    void turn(int t) {
+    void turn(RigidThing t) {
         setAngle(t);
         place(t);
     }
 
     /** The same within a step, for what measures look at: not the cones of corners that are not bent. */
-    void turnOn(int t) {
+    void turnOn(RigidThing t) {
         setAngle(t);
-        float c = cos[t];
-        float s = sin[t];
-        int end = firstCorner[t] + corners[t];
-        for (int k = firstCorner[t]; k < end; k++) {
+        float c = t.cos;
+        float s = t.sin;
+        for (int k = t.firstCorner; k < t.endCorner; k++) {
             int at = corner(k);
             rotate(corner, at, turnedCorner, c, s);
             if (corner[at + OutlineShape.BEND] > 0f) {
@@ -375,23 +205,23 @@ final class RigidThings {
         turnLines(t, c, s);
     }
 
-    private void setAngle(int t) {
-        int units = Surface.turn(angle[t], turned[t], 1f, 1f);
+    private void setAngle(RigidThing t) {
+        int units = Surface.turn(t.angle, t.turned, 1f, 1f);
         // the bits of Rotation.cos and sin, which would each look for the quarter
         int quarter = Rotation.quarter(units);
         double beyond = Rotation.fromQuarter(units, quarter);
         float s = (float) Rotation.sinOfEighth(beyond);
         float c = (float) Rotation.cosOfEighth(beyond);
         boolean odd = (quarter & 1) != 0;
-        cos[t] = (odd ? s : c) * (1 - (quarter + 1 & 2));
-        sin[t] = (odd ? c : s) * (1 - (quarter & 2));
+        t.cos = (odd ? s : c) * (1 - (quarter + 1 & 2));
+        t.sin = (odd ? c : s) * (1 - (quarter & 2));
     }
 
     /** Turns the outline of a thing as its cosine and sine are. */
-    void place(int t) {
-        float c = cos[t];
-        float s = sin[t];
-        for (int k = firstCorner[t]; k < firstCorner[t] + corners[t]; k++) {
+    void place(RigidThing t) {
+        float c = t.cos;
+        float s = t.sin;
+        for (int k = t.firstCorner; k < t.endCorner; k++) {
             int at = corner(k);
             rotate(corner, at, turnedCorner, c, s);
             turnedCorner[at + OutlineShape.RADIUS] = corner[at + OutlineShape.RADIUS];
@@ -400,16 +230,15 @@ final class RigidThings {
             rotate(corner, at + OutlineShape.TO_X, turnedCorner, c, s);
         }
         turnLines(t, c, s);
-        for (int k = firstLine[t]; k < firstLine[t] + lines[t]; k++) {
+        for (int k = t.firstLine; k < t.endLine; k++) {
             int at = line(k);
             turnedLine[at + OutlineShape.LENGTH] = line[at + OutlineShape.LENGTH];
             turnedLine[at + OutlineShape.THICKNESS] = line[at + OutlineShape.THICKNESS];
         }
     }
 
-    private void turnLines(int t, float c, float s) {
-        int end = firstLine[t] + lines[t];
-        for (int k = firstLine[t]; k < end; k++) {
+    private void turnLines(RigidThing t, float c, float s) {
+        for (int k = t.firstLine; k < t.endLine; k++) {
             int at = line(k);
             rotate(line, at, turnedLine, c, s);
             rotate(line, at + OutlineShape.NX, turnedLine, c, s);
@@ -440,14 +269,14 @@ final class RigidThings {
     }
 
     /** Whether a place, against that of a body, is inside its core. */
-    boolean isInside(int t, float px, float py) {
-        float far = shape[t].coreReach();
+    boolean isInside(RigidThing t, float px, float py) {
+        float far = t.shape.coreReach();
         if (px * px + py * py > far * far) {
             return false;
         }
-        float[] p = shape[t].core();
-        float lx = cos[t] * px + sin[t] * py;
-        float ly = cos[t] * py - sin[t] * px;
+        float[] p = t.shape.core();
+        float lx = t.cos * px + t.sin * py;
+        float ly = t.cos * py - t.sin * px;
         boolean in = false;
         for (int a = 0, b = p.length - 2; a < p.length; b = a, a += 2) {
             if (p[a + 1] > ly != p[b + 1] > ly && lx < (p[b] - p[a]) * (ly - p[a + 1]) / (p[b + 1] - p[a + 1]) + p[a]) {
@@ -458,6 +287,6 @@ final class RigidThings {
     }
 
     long bytes() {
-        return 129L * type.length + 8L * (corner.length + line.length);
+        return 196L * all.length + 8L * (corner.length + line.length);
     }
 }

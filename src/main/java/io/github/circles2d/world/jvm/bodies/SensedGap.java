@@ -1,15 +1,5 @@
 package io.github.circles2d.world.jvm.bodies;
 
-import static io.github.circles2d.world.jvm.bodies.SensedShape.CENTRE_X;
-import static io.github.circles2d.world.jvm.bodies.SensedShape.CENTRE_Y;
-import static io.github.circles2d.world.jvm.bodies.SensedShape.FROM_X;
-import static io.github.circles2d.world.jvm.bodies.SensedShape.FROM_Y;
-import static io.github.circles2d.world.jvm.bodies.SensedShape.HALF;
-import static io.github.circles2d.world.jvm.bodies.SensedShape.RADIUS;
-import static io.github.circles2d.world.jvm.bodies.SensedShape.STRIDE;
-import static io.github.circles2d.world.jvm.bodies.SensedShape.TO_X;
-import static io.github.circles2d.world.jvm.bodies.SensedShape.TO_Y;
-
 import io.github.circles2d.world.model.Rotation;
 
 /** How far two shapes are apart, and when in a step they come together. */
@@ -79,16 +69,16 @@ final class SensedGap {
         b = second;
         same = SAME * length;
         least = Double.POSITIVE_INFINITY;
-        isApart = !b.contains(a.edges[FROM_X], a.edges[FROM_Y]) && !a.contains(b.edges[FROM_X], b.edges[FROM_Y]);
-        for (int e = 0; isApart && e < a.end; e += STRIDE) {
-            for (int f = 0; isApart && f < b.end; f += STRIDE) {
-                measure(e, f);
+        isApart = !b.contains(a.edges[0].fromX, a.edges[0].fromY) && !a.contains(b.edges[0].fromX, b.edges[0].fromY);
+        for (int m = 0; isApart && m < a.count; m++) {
+            for (int n = 0; isApart && n < b.count; n++) {
+                measure(a.edges[m], b.edges[n]);
             }
         }
         return isApart ? least - (a.thickness + b.thickness) : 0;
     }
 
-    private void measure(int e, int f) {
+    private void measure(SensedEdge e, SensedEdge f) {
         if (isFarther(e, f)) {
             return;
         }
@@ -96,58 +86,54 @@ final class SensedGap {
             isApart = false;
             return;
         }
-        offerA(a.edges[e + FROM_X], a.edges[e + FROM_Y], f);
-        offerA(a.edges[e + TO_X], a.edges[e + TO_Y], f);
-        offerB(b.edges[f + FROM_X], b.edges[f + FROM_Y], e);
-        offerB(b.edges[f + TO_X], b.edges[f + TO_Y], e);
-        boolean isArc = a.edges[e + RADIUS] > 0;
-        boolean isArcToo = b.edges[f + RADIUS] > 0;
-        if (isArcToo) {
-            near(b.edges[f + CENTRE_X], b.edges[f + CENTRE_Y], a, e);
+        offerA(e.fromX, e.fromY, f);
+        offerA(e.toX, e.toY, f);
+        offerB(f.fromX, f.fromY, e);
+        offerB(f.toX, f.toY, e);
+        if (f.isArc()) {
+            near(f.centreX, f.centreY, e);
             offerA(x, y, f);
         }
-        if (isArc) {
-            near(a.edges[e + CENTRE_X], a.edges[e + CENTRE_Y], b, f);
+        if (e.isArc()) {
+            near(e.centreX, e.centreY, f);
             offerB(x, y, e);
         }
-        if (isArc && isArcToo) {
+        if (e.isArc() && f.isArc()) {
             offerFarSides(e, f);
         }
     }
 
     /** Whether two edges are surely farther apart than the nearest ones so far. */
-    private boolean isFarther(int e, int f) {
-        double[] p = a.edges;
-        double[] q = b.edges;
-        double dx = 0.5 * ((p[e + FROM_X] + p[e + TO_X]) - (q[f + FROM_X] + q[f + TO_X]));
-        double dy = 0.5 * ((p[e + FROM_Y] + p[e + TO_Y]) - (q[f + FROM_Y] + q[f + TO_Y]));
-        double far = least + (p[e + HALF] + q[f + HALF]);
+    private boolean isFarther(SensedEdge e, SensedEdge f) {
+        double dx = 0.5 * ((e.fromX + e.toX) - (f.fromX + f.toX));
+        double dy = 0.5 * ((e.fromY + e.toY) - (f.fromY + f.toY));
+        double far = least + (e.half + f.half);
         return dx * dx + dy * dy >= far * far;
     }
 
     /** Of arcs of which one is in the circle of the other: the points that the other's centre is farthest from. */
-    private void offerFarSides(int e, int f) {
-        double dx = a.edges[e + CENTRE_X] - b.edges[f + CENTRE_X];
-        double dy = a.edges[e + CENTRE_Y] - b.edges[f + CENTRE_Y];
+    private void offerFarSides(SensedEdge e, SensedEdge f) {
+        double dx = e.centreX - f.centreX;
+        double dy = e.centreY - f.centreY;
         double d = length(dx, dy);
-        if (d > 0 && a.opens(e, dx, dy)) {
-            double r = a.edges[e + RADIUS] / d;
-            offerA(a.edges[e + CENTRE_X] + r * dx, a.edges[e + CENTRE_Y] + r * dy, f);
+        if (d > 0 && e.opens(dx, dy)) {
+            double r = e.radius / d;
+            offerA(e.centreX + r * dx, e.centreY + r * dy, f);
         }
-        if (d > 0 && b.opens(f, -dx, -dy)) {
-            double r = b.edges[f + RADIUS] / d;
-            offerB(b.edges[f + CENTRE_X] - r * dx, b.edges[f + CENTRE_Y] - r * dy, e);
+        if (d > 0 && f.opens(-dx, -dy)) {
+            double r = f.radius / d;
+            offerB(f.centreX - r * dx, f.centreY - r * dy, e);
         }
     }
 
     /** A point of the first shape, and an edge of the second one. */
-    private void offerA(double px, double py, int f) {
-        near(px, py, b, f);
+    private void offerA(double px, double py, SensedEdge f) {
+        near(px, py, f);
         offer(px, py, x, y);
     }
 
-    private void offerB(double px, double py, int e) {
-        near(px, py, a, e);
+    private void offerB(double px, double py, SensedEdge e) {
+        near(px, py, e);
         offer(x, y, px, py);
     }
 
@@ -163,112 +149,85 @@ final class SensedGap {
     }
 
     /** Finds the point of an edge that is nearest to another one. */
-    private void near(double px, double py, SensedShape of, int e) {
-        double[] edges = of.edges;
-        double fromX = edges[e + FROM_X];
-        double fromY = edges[e + FROM_Y];
-        double toX = edges[e + TO_X];
-        double toY = edges[e + TO_Y];
-        double radius = edges[e + RADIUS];
-        if (radius > 0) {
-            double dx = px - edges[e + CENTRE_X];
-            double dy = py - edges[e + CENTRE_Y];
+    private void near(double px, double py, SensedEdge e) {
+        if (e.isArc()) {
+            double dx = px - e.centreX;
+            double dy = py - e.centreY;
             double d = length(dx, dy);
-            if (d > 0 && of.opens(e, dx, dy)) {
-                x = edges[e + CENTRE_X] + dx * (radius / d);
-                y = edges[e + CENTRE_Y] + dy * (radius / d);
+            if (d > 0 && e.opens(dx, dy)) {
+                x = e.centreX + dx * (e.radius / d);
+                y = e.centreY + dy * (e.radius / d);
             } else {
-                boolean first = length(px - fromX, py - fromY) <= length(px - toX, py - toY);
-                x = first ? fromX : toX;
-                y = first ? fromY : toY;
+                boolean first = length(px - e.fromX, py - e.fromY) <= length(px - e.toX, py - e.toY);
+                x = first ? e.fromX : e.toX;
+                y = first ? e.fromY : e.toY;
             }
             return;
         }
-        double ux = toX - fromX;
-        double uy = toY - fromY;
+        double ux = e.toX - e.fromX;
+        double uy = e.toY - e.fromY;
         double square = ux * ux + uy * uy;
-        double along = square > 0 ? ((px - fromX) * ux + (py - fromY) * uy) / square : 0;
+        double along = square > 0 ? ((px - e.fromX) * ux + (py - e.fromY) * uy) / square : 0;
         double share = Math.min(Math.max(along, 0), 1);
-        x = fromX + share * ux;
-        y = fromY + share * uy;
+        x = e.fromX + share * ux;
+        y = e.fromY + share * uy;
     }
 
     /** The point of the second shape that is nearest to the place of the first one becomes that of both that is nearest. */
     void nearToPlace() {
         least = Double.POSITIVE_INFINITY;
-        for (int f = 0; f < b.end; f += STRIDE) {
-            offerA(a.nowX, a.nowY, f);
+        for (int n = 0; n < b.count; n++) {
+            offerA(a.nowX, a.nowY, b.edges[n]);
         }
     }
 
     // ---- crossings
 
-    private boolean cross(int e, int f) {
-        boolean isArc = a.edges[e + RADIUS] > 0;
-        boolean isArcToo = b.edges[f + RADIUS] > 0;
-        if (isArc && isArcToo) {
+    private static boolean cross(SensedEdge e, SensedEdge f) {
+        if (e.isArc() && f.isArc()) {
             return arcsCross(e, f);
         }
-        return isArc ? lineCrossesArc(b, f, a, e) : isArcToo ? lineCrossesArc(a, e, b, f) : linesCross(e, f);
+        return e.isArc() ? lineCrossesArc(f, e) : f.isArc() ? lineCrossesArc(e, f) : f.divides(e) && e.divides(f);
     }
 
-    private boolean linesCross(int e, int f) {
-        double[] p = a.edges;
-        double[] q = b.edges;
-        return areDivided(p, e, q, f) && areDivided(q, f, p, e);
-    }
-
-    /** Whether the ends of a line are on different sides of another one. */
-    private static boolean areDivided(double[] p, int e, double[] q, int f) {
-        double ux = q[f + TO_X] - q[f + FROM_X];
-        double uy = q[f + TO_Y] - q[f + FROM_Y];
-        double from = ux * (p[e + FROM_Y] - q[f + FROM_Y]) - uy * (p[e + FROM_X] - q[f + FROM_X]);
-        double to = ux * (p[e + TO_Y] - q[f + FROM_Y]) - uy * (p[e + TO_X] - q[f + FROM_X]);
-        return from < 0 && to > 0 || from > 0 && to < 0;
-    }
-
-    private static boolean lineCrossesArc(SensedShape ofLine, int line, SensedShape ofArc, int arc) {
-        double[] p = ofLine.edges;
-        double[] q = ofArc.edges;
-        double ux = p[line + TO_X] - p[line + FROM_X];
-        double uy = p[line + TO_Y] - p[line + FROM_Y];
-        double ox = p[line + FROM_X] - q[arc + CENTRE_X];
-        double oy = p[line + FROM_Y] - q[arc + CENTRE_Y];
+    private static boolean lineCrossesArc(SensedEdge line, SensedEdge arc) {
+        double ux = line.toX - line.fromX;
+        double uy = line.toY - line.fromY;
+        double ox = line.fromX - arc.centreX;
+        double oy = line.fromY - arc.centreY;
         double square = ux * ux + uy * uy;
         double half = ox * ux + oy * uy;
-        double disc = half * half - square * (ox * ox + oy * oy - q[arc + RADIUS] * q[arc + RADIUS]);
+        double disc = half * half - square * (ox * ox + oy * oy - arc.radius * arc.radius);
         if (!(disc >= 0) || !(square > 0)) {
             return false;
         }
         double root = Math.sqrt(disc);
         double one = (-half - root) / square;
         double two = (root - half) / square;
-        return one >= 0 && one <= 1 && ofArc.opens(arc, ox + one * ux, oy + one * uy)
-                || two >= 0 && two <= 1 && ofArc.opens(arc, ox + two * ux, oy + two * uy);
+        return one >= 0 && one <= 1 && arc.opens(ox + one * ux, oy + one * uy)
+                || two >= 0 && two <= 1 && arc.opens(ox + two * ux, oy + two * uy);
     }
 
-    private boolean arcsCross(int e, int f) {
-        double r = a.edges[e + RADIUS];
-        double other = b.edges[f + RADIUS];
-        double dx = b.edges[f + CENTRE_X] - a.edges[e + CENTRE_X];
-        double dy = b.edges[f + CENTRE_Y] - a.edges[e + CENTRE_Y];
+    private static boolean arcsCross(SensedEdge e, SensedEdge f) {
+        double dx = f.centreX - e.centreX;
+        double dy = f.centreY - e.centreY;
         double d = length(dx, dy);
-        if (!(d > 0) || d > r + other || d < Math.abs(r - other)) {
+        if (!(d > 0) || d > e.radius + f.radius || d < Math.abs(e.radius - f.radius)) {
             return false;
         }
         double ux = dx / d;
         double uy = dy / d;
-        double along = (d * d + r * r - other * other) / (2 * d);
-        double across = Math.sqrt(Math.max(r * r - along * along, 0));
+        double along = (d * d + e.radius * e.radius - f.radius * f.radius) / (2 * d);
+        double across = Math.sqrt(Math.max(e.radius * e.radius - along * along, 0));
         return arcsCrossAt(e, f, along * ux - across * uy, along * uy + across * ux, dx, dy)
                 || arcsCrossAt(e, f, along * ux + across * uy, along * uy - across * ux, dx, dy);
     }
 
-    private boolean arcsCrossAt(int e, int f, double px, double py, double dx, double dy) {
-        return a.opens(e, px, py) && b.opens(f, px - dx, py - dy);
+    private static boolean arcsCrossAt(SensedEdge e, SensedEdge f, double px, double py, double dx, double dy) {
+        return e.opens(px, py) && f.opens(px - dx, py - dy);
     }
 
-    private static double length(double dx, double dy) {
+    static double length(double dx, double dy) {
         return Math.sqrt(dx * dx + dy * dy);
     }
 }

@@ -10,30 +10,8 @@ import java.util.Arrays;
  * the shape turns evenly. Numbers are doubles, so that rounding decides nothing.
  */
 final class SensedShape {
-    // the numbers of an edge; an arc goes anticlockwise, by half a turn at most
-    static final int FROM_X = 0;
-    static final int FROM_Y = 1;
-    static final int TO_X = 2;
-    static final int TO_Y = 3;
-    static final int CENTRE_X = 4;
-    static final int CENTRE_Y = 5;
-
-    /** 0 of a line. */
-    static final int RADIUS = 6;
-
-    /** Half of the chord: an edge lies in the circle over that. */
-    static final int HALF = 7;
-
-    static final int STRIDE = 8;
-
-    /** As it lies unturned, around its place. */
-    private double[] own = new double[8 * STRIDE];
-
-    /** Edges at the share of the step that has been set last. */
-    double[] edges = new double[8 * STRIDE];
-
-    /** Numbers of all edges. */
-    int end;
+    SensedEdge[] edges = {};
+    int count;
 
     double thickness;
 
@@ -121,7 +99,7 @@ final class SensedShape {
     }
 
     private void begin(double thick, boolean solid, double far) {
-        end = 0;
+        count = 0;
         thickness = thick;
         isSolid = solid;
         reach = far;
@@ -129,19 +107,13 @@ final class SensedShape {
 
     private void add(
             double fromX, double fromY, double toX, double toY, double centreX, double centreY, double radius) {
-        if (end == own.length) {
-            own = Arrays.copyOf(own, 2 * end);
-            edges = new double[2 * end];
+        if (count == edges.length) {
+            edges = Arrays.copyOf(edges, Math.max(8, 2 * count));
+            for (int k = count; k < edges.length; k++) {
+                edges[k] = new SensedEdge();
+            }
         }
-        own[end + FROM_X] = fromX;
-        own[end + FROM_Y] = fromY;
-        own[end + TO_X] = toX;
-        own[end + TO_Y] = toY;
-        own[end + CENTRE_X] = centreX;
-        own[end + CENTRE_Y] = centreY;
-        own[end + RADIUS] = radius;
-        own[end + HALF] = 0.5 * Math.sqrt((toX - fromX) * (toX - fromX) + (toY - fromY) * (toY - fromY));
-        end += STRIDE;
+        edges[count++].set(fromX, fromY, toX, toY, centreX, centreY, radius);
     }
 
     /** Brings it to where it is after a share of the step. */
@@ -151,50 +123,36 @@ final class SensedShape {
         double sin = Rotation.sin(now);
         nowX = x + share * goX;
         nowY = y + share * goY;
-        for (int e = 0; e < end; e += STRIDE) {
-            for (int p = e; p < e + RADIUS; p += 2) {
-                edges[p] = nowX + (cos * own[p] - sin * own[p + 1]);
-                edges[p + 1] = nowY + (sin * own[p] + cos * own[p + 1]);
-            }
-            edges[e + RADIUS] = own[e + RADIUS];
-            edges[e + HALF] = own[e + HALF];
+        for (int k = 0; k < count; k++) {
+            edges[k].put(nowX, nowY, cos, sin);
         }
     }
 
     /** Whether the edges go around a point: around it go the polygon of their ends, and the segments between arcs and chords. */
     boolean contains(double px, double py) {
         int around = 0;
-        for (int e = 0; isSolid && e < end; e += STRIDE) {
-            double fromX = edges[e + FROM_X] - px;
-            double fromY = edges[e + FROM_Y] - py;
-            double toX = edges[e + TO_X] - px;
-            double toY = edges[e + TO_Y] - py;
+        for (int k = 0; isSolid && k < count; k++) {
+            SensedEdge e = edges[k];
+            double fromX = e.fromX - px;
+            double fromY = e.fromY - py;
+            double toX = e.toX - px;
+            double toY = e.toY - py;
             double side = fromX * toY - fromY * toX;
             if (fromY <= 0 && toY > 0 && side > 0) {
                 around++;
             } else if (toY <= 0 && fromY > 0 && side < 0) {
                 around--;
             }
-            double radius = edges[e + RADIUS];
-            if (radius > 0 && side <= 0) {
-                double dx = px - edges[e + CENTRE_X];
-                double dy = py - edges[e + CENTRE_Y];
-                around += dx * dx + dy * dy <= radius * radius ? 1 : 0;
+            if (e.isArc() && side <= 0) {
+                double dx = px - e.centreX;
+                double dy = py - e.centreY;
+                around += dx * dx + dy * dy <= e.radius * e.radius ? 1 : 0;
             }
         }
         return around > 0;
     }
 
-    /** Whether a direction from the centre of an arc is in its opening. */
-    boolean opens(int e, double dx, double dy) {
-        double fromX = edges[e + FROM_X] - edges[e + CENTRE_X];
-        double fromY = edges[e + FROM_Y] - edges[e + CENTRE_Y];
-        double toX = edges[e + TO_X] - edges[e + CENTRE_X];
-        double toY = edges[e + TO_Y] - edges[e + CENTRE_Y];
-        return fromX * dy - fromY * dx >= 0 && dx * toY - dy * toX >= 0;
-    }
-
     long bytes() {
-        return 16L * own.length;
+        return 132L * edges.length;
     }
 }

@@ -21,12 +21,6 @@ public final class WakingByBodies {
         void reachFromBody(int id, float speed, float impulse, float gap, float inverseMass);
     }
 
-    private static final int SUMS = 4;
-    private static final int SUM_X = 0;
-    private static final int SUM_Y = 1;
-    private static final int SUM_SPIN = 2;
-    private static final int SUM_LOAD = 3;
-
     /** Of what turns by more in a step, in radians, another corner may arrive than the one that is near. */
     private static final float FAR_TURN = 0.02f;
 
@@ -34,30 +28,25 @@ public final class WakingByBodies {
     private final RigidContacts contacts;
     private final RigidPairs pairs;
     private final RigidThings things;
-    private final RigidRules rules;
     private final RigidResting resting;
     private final RigidJoints joints;
 
-    // by id
-    private int[] looked = new int[0];
-    private int[] wokenIn = new int[0];
-    private long[] sums = new long[0];
-    private float[] speed = new float[0];
-    private float[] next = new float[0];
-
-    /** Whether a body was near to what is awake in the step before, and whether it is now. */
+    // by id: whether a body was near to what is awake in the step before, and whether it is now
     private boolean[] bordered = new boolean[0];
-
     private boolean[] borders = new boolean[0];
-    private int step;
 
-    /** Ids that are looked at; in a ring, that something reaches. */
-    private int[] list = new int[64];
+    private long step;
+
+    /** Bodies that are looked at; in a ring, that something reaches. */
+    private RigidThing[] list = new RigidThing[64];
 
     private int count;
-    private int[] woken = new int[64];
+    private RigidThing[] woken = new RigidThing[64];
     private int wokenCount;
     private int ringFrom;
+
+    /** Of a circle, which the methods below tell of. */
+    private RigidContact contact;
 
     /** Whether the next step looks at the balance of all. */
     private boolean looksAtAll;
@@ -74,17 +63,10 @@ public final class WakingByBodies {
     private StepConstants k;
     private int thingsBefore;
 
-    WakingByBodies(
-            State state,
-            RigidContacts contacts,
-            RigidPairs pairs,
-            RigidRules rules,
-            RigidResting resting,
-            RigidJoints joints) {
+    WakingByBodies(State state, RigidContacts contacts, RigidPairs pairs, RigidResting resting, RigidJoints joints) {
         this.state = state;
         this.contacts = contacts;
         this.pairs = pairs;
-        this.rules = rules;
         this.resting = resting;
         this.joints = joints;
         things = pairs.things;
@@ -100,86 +82,18 @@ public final class WakingByBodies {
     /** Where contacts with circles begin. */
     public int first() {
         int p = contacts.pairCount;
-        while (p > 0 && things.type[pairs.b[contacts.pair[p - 1]]] == RigidStep.BODY_CIRCLE) {
+        while (p > 0 && contacts.pairs[p - 1].b.type == RigidStep.BODY_CIRCLE) {
             p--;
         }
-        return contacts.firstOf[p];
+        return p == contacts.pairCount ? contacts.count : contacts.pairs[p].begin;
     }
 
-    private boolean isA(int c) {
-        return things.type[contacts.a[c]] == RigidStep.BODY_CIRCLE;
+    /** Looks at a contact of the step. */
+    public void show(int n) {
+        contact = contacts.all[n];
     }
 
-    /** The id of the circle of a contact. */
-    public int circle(int c) {
-        return things.id[isA(c) ? contacts.a[c] : contacts.b[c]];
-    }
-
-    /** 1 if the normal goes towards the circle, else -1. */
-    public float side(int c) {
-        return isA(c) ? 1f : -1f;
-    }
-
-    public float nx(int c) {
-        return contacts.value(c, RigidRow.NX);
-    }
-
-    public float ny(int c) {
-        return contacts.value(c, RigidRow.NY);
-    }
-
-    public float gap(int c) {
-        return contacts.value(c, RigidRow.GAP);
-    }
-
-    public float impulse(int c) {
-        return contacts.value(c, RigidRow.IMPULSE);
-    }
-
-    public float grip(int c) {
-        return contacts.value(c, RigidRow.GRIP);
-    }
-
-    /** How fast the body comes at the point. */
-    public float approach(int c) {
-        return approach(c, !isA(c));
-    }
-
-    /** How fast A comes to B, or B to A. */
-    private float approach(int c, boolean ofA) {
-        int t = ofA ? contacts.a[c] : contacts.b[c];
-        float x = things.vx[t] - things.omega[t] * contacts.value(c, ofA ? RigidRow.AY : RigidRow.BY);
-        float y = things.vy[t] + things.omega[t] * contacts.value(c, ofA ? RigidRow.AX : RigidRow.BX);
-        if (things.type[t] == RigidStep.BODY_CIRCLE) { // a thing does not know it yet
-            int s = CircleRow.of(state.slotOf[things.id[t]]);
-            x = state.motion[s + CircleRow.VX];
-            y = state.motion[s + CircleRow.VY];
-        }
-        float spin = Math.abs(things.omega[t]);
-        boolean turnsFar = things.shape[t] != null && spin * k.dt > FAR_TURN;
-        if (turnsFar) {
-            x = things.vx[t];
-            y = things.vy[t];
-        }
-        return (ofA ? -1f : 1f) * (x * nx(c) + y * ny(c)) + (turnsFar ? spin * things.reach[t] : 0f);
-    }
-
-    /** One over the effective mass of the body alone. */
-    public float inverseMass(int c) {
-        return inverseMass(c, !isA(c));
-    }
-
-    private float inverseMass(int c, boolean ofA) {
-        return ofA ? rules.massOfA(c) : rules.massOfB(c);
-    }
-
-    public float restitution(int c) {
-        return Math.max(things.restitution[contacts.a[c]], things.restitution[contacts.b[c]]);
-    }
-
-    // ---- contacts that stay
-
-    /** The first contact at rest of a circle, as an entry; -1 behind the last one. */
+    /** The first contact of a circle that stays, as an entry; -1 behind the last one. */
     public int firstOf(int circle) {
         return resting.firstOfCircle(bodies, circle);
     }
@@ -188,9 +102,89 @@ public final class WakingByBodies {
         return resting.next(entry);
     }
 
-    /** Measures the contact of an entry; returns its number, or -1 if it is none any more. */
-    public int measure(int entry) {
-        return contacts.probe(bodies, entry >> 1) ? contacts.count : -1;
+    /** Looks at the contact of an entry, as it is now; false if it is none any more. */
+    public boolean measure(int entry) {
+        contact = contacts.probe(bodies.contacts, entry >> 1);
+        return contact != null;
+    }
+
+    private static boolean circleIsA(RigidContact c) {
+        return c.a.type == RigidStep.BODY_CIRCLE;
+    }
+
+    private static RigidThing circle(RigidContact c) {
+        return circleIsA(c) ? c.a : c.b;
+    }
+
+    /** The id of the circle of the contact. */
+    public int circle() {
+        return circle(contact).id;
+    }
+
+    /** 1 if the normal goes towards the circle, else -1. */
+    public float side() {
+        return circleIsA(contact) ? 1f : -1f;
+    }
+
+    public float nx() {
+        return contact.nx;
+    }
+
+    public float ny() {
+        return contact.ny;
+    }
+
+    public float gap() {
+        return contact.gap;
+    }
+
+    public float impulse() {
+        return contact.impulse;
+    }
+
+    public float grip() {
+        return contact.grip;
+    }
+
+    public float restitution() {
+        return restitution(contact);
+    }
+
+    private static float restitution(RigidContact c) {
+        return Math.max(c.a.restitution, c.b.restitution);
+    }
+
+    /** How fast the body comes at the point. */
+    public float approach() {
+        return approach(contact, !circleIsA(contact));
+    }
+
+    /** How fast A comes to B, or B to A. */
+    private float approach(RigidContact c, boolean ofA) {
+        RigidThing t = ofA ? c.a : c.b;
+        float x = t.vx - t.omega * (ofA ? c.ay : c.by);
+        float y = t.vy + t.omega * (ofA ? c.ax : c.bx);
+        if (t.type == RigidStep.BODY_CIRCLE) { // a thing does not know it yet
+            int s = CircleRow.of(state.slotOf[t.id]);
+            x = state.motion[s + CircleRow.VX];
+            y = state.motion[s + CircleRow.VY];
+        }
+        float spin = Math.abs(t.omega);
+        boolean turnsFar = t.shape != null && spin * k.dt > FAR_TURN;
+        if (turnsFar) {
+            x = t.vx;
+            y = t.vy;
+        }
+        return (ofA ? -1f : 1f) * (x * c.nx + y * c.ny) + (turnsFar ? spin * t.reach : 0f);
+    }
+
+    /** One over the effective mass of the body alone. */
+    public float inverseMass() {
+        return inverseMass(contact, !circleIsA(contact));
+    }
+
+    private static float inverseMass(RigidContact c, boolean ofA) {
+        return ofA ? c.massOfA() : c.massOfB();
     }
 
     // ---- who wakes
@@ -201,23 +195,12 @@ public final class WakingByBodies {
         k = constants;
         thingsBefore = things.count;
         resting.begin();
-        if (looked.length < bodies.end) {
-            int ids = bodies.room();
-            looked = new int[ids];
-            wokenIn = new int[ids];
-            sums = new long[SUMS * ids];
-            speed = new float[ids];
-            next = new float[ids];
-            bordered = new boolean[ids];
-            borders = new boolean[ids];
-            step = 0;
+        if (borders.length < bodies.end) {
+            bordered = new boolean[bodies.room()];
+            borders = new boolean[bodies.room()];
             changes = bodies.changes - 1;
         }
-        if (++step < 0) {
-            Arrays.fill(looked, 0);
-            Arrays.fill(wokenIn, 0);
-            step = 1;
-        }
+        step++;
         count = 0;
         wokenCount = 0;
         ringFrom = 0;
@@ -269,21 +252,20 @@ public final class WakingByBodies {
         h = k.h;
         boolean pieces = pairs.piecesMove();
         boolean walls = k.walls.any();
-        for (int t = 0; t < things.bodies; t++) {
-            int id = things.id[t];
-            if (things.asleep[t]) {
-                if (all || bordered[id] || isUncertain(id)) {
-                    look(id);
+        for (int n = 0; n < things.bodies; n++) {
+            RigidThing t = things.all[n];
+            if (t.asleep) {
+                if (all || bordered[t.id] || isUncertain(t.id)) {
+                    look(t);
                 }
                 if (walls && pairs.wallsMoveNear(t) || pieces && pairs.piecesMoveNear(t)) {
-                    look(id);
-                    push(id, strong(t));
+                    drive(t);
                 }
             }
         }
-        for (int c = 0; c < contacts.count; c++) {
-            touch(c, true);
-            touch(c, false);
+        for (int n = 0; n < contacts.count; n++) {
+            touch(contacts.all[n], true);
+            touch(contacts.all[n], false);
         }
         joints.look(k, this);
         for (int n = 0; n < count; n++) {
@@ -300,126 +282,112 @@ public final class WakingByBodies {
                 || bodies.extras.get(id, RigidExtras.TURNED) == Sleep.NO_OFFSET;
     }
 
-    private void look(int id) {
-        if (looked[id] != step) {
+    private void look(RigidThing t) {
+        if (t.looked != step) {
             list = withRoom(list, count);
-            list[count++] = id;
-            clear(id);
+            list[count++] = t;
+            clear(t);
         }
     }
 
-    private static int[] withRoom(int[] ids, int used) {
-        return used == ids.length ? Arrays.copyOf(ids, 2 * used) : ids;
+    private static RigidThing[] withRoom(RigidThing[] some, int used) {
+        return used == some.length ? Arrays.copyOf(some, 2 * used) : some;
     }
 
-    private void clear(int id) {
-        looked[id] = step;
-        Arrays.fill(sums, SUMS * id, SUMS * (id + 1), 0L);
-        speed[id] = 0f;
+    private void clear(RigidThing t) {
+        t.looked = step;
+        t.clearSums();
+        t.speed = 0f;
     }
 
-    private void push(int id, float by) {
-        speed[id] = CircleMath.max(speed[id], by);
+    private static void push(RigidThing t, float by) {
+        t.speed = CircleMath.max(t.speed, by);
     }
 
-    private float gain(int t) {
-        return CircleMath.length(things.gainX[t], things.gainY[t]);
+    private float gainOfStep(RigidThing t) {
+        return t.gain() * (float) k.subSteps;
     }
 
-    private float gainOfStep(int t) {
-        return gain(t) * (float) k.subSteps;
+    private float strong(RigidThing t) {
+        return Sleep.strong(gainOfStep(t), t.thin, k.dt);
     }
 
-    private float strong(int t) {
-        return Sleep.strong(gainOfStep(t), things.thin[t], k.dt);
-    }
-
-    private float hit(int t, float own, float its, float approach, float gap, float restitution, float j) {
-        return Sleep.hit(approach, gap, own, its, restitution, j, gainOfStep(t), things.thin[t], k.dt);
+    private float hit(RigidThing t, float own, float its, float approach, float gap, float restitution, float j) {
+        return Sleep.hit(approach, gap, own, its, restitution, j, gainOfStep(t), t.thin, k.dt);
     }
 
     /** A contact of the step with a body that sleeps, as A or as B. */
-    private void touch(int c, boolean asA) {
-        int t = asA ? contacts.a[c] : contacts.b[c];
-        int other = asA ? contacts.b[c] : contacts.a[c];
-        if (!things.asleep[t]) {
-            return;
+    private void touch(RigidContact c, boolean asA) {
+        RigidThing t = asA ? c.a : c.b;
+        RigidThing other = asA ? c.b : c.a;
+        if (t.asleep) {
+            borders[t.id] = true;
+            look(t);
+            press(c, asA);
+            float own = inverseMass(c, asA);
+            float its = inverseMass(c, !asA);
+            push(
+                    t,
+                    other.gives() // else it moves by itself
+                            ? hit(t, own, its, approach(c, !asA), c.gap, restitution(c), c.impulse)
+                            : strong(t));
         }
-        int id = things.id[t];
-        borders[id] = true;
-        look(id);
-        press(c, asA);
-        float own = inverseMass(c, asA);
-        float its = inverseMass(c, !asA);
-        boolean gives = things.gives(other); // else it moves by itself
-        push(id, gives ? hit(t, own, its, approach(c, !asA), gap(c), restitution(c), impulse(c)) : strong(t));
     }
 
     /** Adds what presses a body at a contact. */
-    private void press(int c, boolean asA) {
-        int t = asA ? contacts.a[c] : contacts.b[c];
+    private void press(RigidContact c, boolean asA) {
         float side = asA ? 1f : -1f;
-        float x = side * (nx(c) * impulse(c) - ny(c) * grip(c));
-        float y = side * (ny(c) * impulse(c) + nx(c) * grip(c));
-        float armX = contacts.value(c, asA ? RigidRow.AX : RigidRow.BX);
-        float armY = contacts.value(c, asA ? RigidRow.AY : RigidRow.BY);
-        add(t, x, y, armX * y - armY * x, impulse(c));
+        float x = side * (c.nx * c.impulse - c.ny * c.grip);
+        float y = side * (c.ny * c.impulse + c.nx * c.grip);
+        float armX = asA ? c.ax : c.bx;
+        float armY = asA ? c.ay : c.by;
+        add(asA ? c.a : c.b, x, y, armX * y - armY * x, c.impulse);
     }
 
-    private void add(int t, float x, float y, float spin, float load) {
-        float scale = CrossRule.scaleOf(CrossRule.velocityRange(things.reach[t], k.inverseH));
-        int at = SUMS * things.id[t];
-        sums[at + SUM_X] += CrossRule.toFixed(things.ownW[t] * x, scale);
-        sums[at + SUM_Y] += CrossRule.toFixed(things.ownW[t] * y, scale);
-        sums[at + SUM_SPIN] += CrossRule.toFixed(things.ownI[t] * spin, CrossRule.scaleOf(k.inverseH));
-        sums[at + SUM_LOAD] += CrossRule.toFixed(things.ownW[t] * load, scale);
+    private void add(RigidThing t, float x, float y, float spin, float load) {
+        t.addToSums(t.ownW * x, t.ownW * y, t.ownI * spin, k.inverseH);
+        t.sumLoad += CrossRule.toFixed(t.ownW * load, CrossRule.scaleOf(t.range(k.inverseH)));
     }
 
-    private float sum(int t, int which) {
-        float unit = CrossRule.unitOf(CrossRule.velocityRange(things.reach[t], k.inverseH));
-        return CrossRule.fromFixed(sums[SUMS * things.id[t] + which], unit);
+    private float load(RigidThing t) {
+        return CrossRule.fromFixed(t.sumLoad, CrossRule.unitOf(t.range(k.inverseH)));
     }
 
     /** Adds the contacts that stay. */
-    private void pressByResting(int id) {
-        for (int e = resting.firstOfBody(bodies, id); e >= 0; e = resting.next(e)) {
-            int c = measureScaled(e);
-            if (c >= 0) {
-                press(c, isBody(contacts.a[c], id));
+    private void pressByResting(RigidThing t) {
+        for (int e = resting.firstOfBody(bodies, t.id); e >= 0; e = resting.next(e)) {
+            RigidContact c = measureScaled(e);
+            if (c != null) {
+                press(c, c.a == t);
             }
         }
     }
 
-    private boolean isBody(int t, int id) {
-        return things.type[t] == RigidStep.BODY_BODY && things.id[t] == id;
-    }
-
-    /** The same as {@link #measure}; this step goes on from other impulses if its length is another one. */
-    private int measureScaled(int entry) {
-        int c = measure(entry);
-        if (c >= 0) {
-            contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] *= k.warmScale;
-            contacts.rows[RigidRow.of(c) + RigidRow.GRIP] *= k.warmScale;
+    /** Measures the contact of an entry; this step goes on from other impulses if its length is another one. Null if it is none any more. */
+    private RigidContact measureScaled(int entry) {
+        RigidContact c = contacts.probe(bodies.contacts, entry >> 1);
+        if (c != null) {
+            c.impulse *= k.warmScale;
+            c.grip *= k.warmScale;
         }
         return c;
     }
 
-    private void judge(int id) {
-        int t = pairs.bodyThing(id);
-        push(id, outOfBalance(id, t));
-        if (speed[id] > 0f) {
-            addWoken(id);
+    private void judge(RigidThing t) {
+        push(t, outOfBalance(t.id, t));
+        if (t.speed > 0f) {
+            addWoken(t);
         }
     }
 
-    private float outOfBalance(int id, int t) {
+    private float outOfBalance(int id, RigidThing t) {
         RigidExtras of = bodies.extras;
-        float gainX = things.gainX[t];
-        float gainY = things.gainY[t];
-        float gain = gain(t);
-        float thin = things.thin[t];
-        float reach = things.reach[t];
-        float spinGain = reach * things.gainOmega[t];
+        float gainX = t.gainX;
+        float gainY = t.gainY;
+        float gain = t.gain();
+        float thin = t.thin;
+        float reach = t.reach;
+        float spinGain = reach * t.gainOmega;
         float knownX = of.real(id, RigidExtras.DRIFT_X);
         float knownY = of.real(id, RigidExtras.DRIFT_Y);
         float knownSpin = reach * of.real(id, RigidExtras.KNOWN_SPIN);
@@ -428,10 +396,9 @@ public final class WakingByBodies {
         int rest = of.get(id, RigidExtras.REST);
         int offset = of.get(id, RigidExtras.TURNED);
         int spinOffset = of.get(id, RigidExtras.SPIN_OFFSET);
-        float x = gainX + sum(t, SUM_X);
-        float y = gainY + sum(t, SUM_Y);
-        float turning = CrossRule.fromFixed(sums[SUMS * id + SUM_SPIN], CrossRule.unitOf(k.inverseH));
-        float spin = Sleep.SHARE_OF_SPIN * (spinGain + reach * turning);
+        float x = gainX + t.summedX(k.inverseH);
+        float y = gainY + t.summedY(k.inverseH);
+        float spin = Sleep.SHARE_OF_SPIN * (spinGain + reach * t.summedOmega(k.inverseH));
         if (offset == Sleep.NO_OFFSET) {
             offset = strict ? 0 : Sleep.offset(x, y, gain);
             spinOffset = strict || gain == 0f ? 0 : Sleep.parts(spin, gain);
@@ -439,11 +406,10 @@ public final class WakingByBodies {
         float b = CircleMath.max(
                 CircleMath.length(x - Sleep.offsetX(offset, gain), y - Sleep.offsetY(offset, gain)),
                 Math.abs(spin - (float) spinOffset / Sleep.PARTS * gain));
-        boolean balanced = !(b > Sleep.tolerance(strict, gain, sum(t, SUM_LOAD), thin, k.dt));
+        boolean balanced = !(b > Sleep.tolerance(strict, gain, load(t), thin, k.dt));
         rest = balanced ? Sleep.ASLEEP : rest - 1;
         bodies.setRest(id, rest, offset, strict ? gainX * k.inverseH : knownX, strict ? gainY * k.inverseH : knownY);
-        bodies.setSpinOfRest(
-                id, strict ? things.gainOmega[t] * k.inverseH : of.real(id, RigidExtras.KNOWN_SPIN), spinOffset);
+        bodies.setSpinOfRest(id, strict ? t.gainOmega * k.inverseH : of.real(id, RigidExtras.KNOWN_SPIN), spinOffset);
         return !balanced && Sleep.losesPatience(strict, gain, b, Sleep.ASLEEP - rest)
                 ? Sleep.imbalanceOfStep(b, k.subSteps, thin, k.dt)
                 : 0f;
@@ -451,34 +417,34 @@ public final class WakingByBodies {
 
     // ---- by joints
 
-    boolean isLookedAt(int t) {
-        return looked[things.id[t]] == step;
+    boolean isLookedAt(RigidThing t) {
+        return t.looked == step;
     }
 
-    /** A joint drives a body that sleeps. */
-    void drive(int t) {
-        look(things.id[t]);
-        push(things.id[t], strong(t));
+    /** Something drives a body that sleeps. */
+    void drive(RigidThing t) {
+        look(t);
+        push(t, strong(t));
     }
 
     /** What a joint gives a body that sleeps: an impulse at an arm, and an angular one. */
-    void pull(int t, float x, float y, float armX, float armY, float twist, float load) {
+    void pull(RigidThing t, float x, float y, float armX, float armY, float twist, float load) {
         add(t, x, y, (armX * y - armY * x) + twist, load);
     }
 
     /** The other end of a joint of a body that sleeps is awake, and has a speed. */
-    void move(int t, float itsInverseMass, float itsSpeed, float load) {
-        borders[things.id[t]] = true;
-        look(things.id[t]);
-        push(things.id[t], hit(t, things.ownW[t], itsInverseMass, itsSpeed, 0f, 0f, load));
+    void move(RigidThing t, float itsInverseMass, float itsSpeed, float load) {
+        borders[t.id] = true;
+        look(t);
+        push(t, hit(t, t.ownW, itsInverseMass, itsSpeed, 0f, 0f, load));
     }
 
     // ---- rings
 
-    private void addWoken(int id) {
+    private void addWoken(RigidThing t) {
         woken = withRoom(woken, wokenCount);
-        wokenIn[id] = step;
-        woken[wokenCount++] = id;
+        t.wokenIn = step;
+        woken[wokenCount++] = t;
     }
 
     /** Whether some have woken in the ring before. */
@@ -494,74 +460,71 @@ public final class WakingByBodies {
     /** What woke bodies in the ring before reaches others, and circles. */
     public void passOn(Circles circles) {
         for (int n = ringFrom; n < wokenCount; n++) {
-            int id = woken[n];
-            for (int e = resting.firstOfBody(bodies, id); e >= 0; e = resting.next(e)) {
-                int c = measureScaled(e);
-                boolean asA = c >= 0 && isBody(contacts.a[c], id);
-                int type = c < 0 ? -1 : things.type[asA ? contacts.b[c] : contacts.a[c]];
+            RigidThing t = woken[n];
+            for (int e = resting.firstOfBody(bodies, t.id); e >= 0; e = resting.next(e)) {
+                RigidContact c = measureScaled(e);
+                boolean asA = c != null && c.a == t;
+                int type = c == null ? -1 : (asA ? c.b : c.a).type;
                 if (type == RigidStep.BODY_BODY) {
-                    passOn(speed[id], c, !asA, inverseMass(c, asA));
+                    passOn(t.speed, c, !asA, inverseMass(c, asA));
                 } else if (type == RigidStep.BODY_CIRCLE) {
-                    circles.reachFromBody(circle(c), speed[id], impulse(c), gap(c), inverseMass(c, asA));
+                    circles.reachFromBody(circle(c).id, t.speed, c.impulse, c.gap, inverseMass(c, asA));
                 }
             }
-            joints.passOn(pairs.bodyThing(id), speed[id], this);
+            joints.passOn(t, t.speed, this);
         }
     }
 
     /** What woke a circle reaches bodies. */
     public void passOnFrom(int circle, float itsSpeed) {
         for (int e = resting.firstOfCircle(bodies, circle); e >= 0; e = resting.next(e)) {
-            int c = measureScaled(e);
-            if (c >= 0) {
-                boolean bodyIsA = !isA(c);
-                passOn(itsSpeed, c, bodyIsA, things.ownW[bodyIsA ? contacts.b[c] : contacts.a[c]]);
+            RigidContact c = measureScaled(e);
+            if (c != null) {
+                passOn(itsSpeed, c, !circleIsA(c), circle(c).ownW);
             }
         }
     }
 
     /** To the body that is A, or B, of a contact. */
-    private void passOn(float itsSpeed, int c, boolean toA, float its) {
-        int t = toA ? contacts.a[c] : contacts.b[c];
-        passOn(t, itsSpeed, impulse(c), gap(c), inverseMass(c, toA), its);
+    private void passOn(float itsSpeed, RigidContact c, boolean toA, float its) {
+        passOn(toA ? c.a : c.b, itsSpeed, c.impulse, c.gap, inverseMass(c, toA), its);
     }
 
     /** What woke the other end of a contact or joint reaches a body, if that sleeps. */
-    void passOn(int t, float itsSpeed, float j, float gap, float own, float its) {
-        int id = things.id[t];
-        if (!things.asleep[t] || wokenIn[id] == step) {
+    void passOn(RigidThing t, float itsSpeed, float j, float gap, float own, float its) {
+        if (!t.asleep || t.wokenIn == step) {
             return;
         }
         float passed = j > 0f
-                ? Sleep.passedOn(itsSpeed, things.ownW[t] * j, loadOf(id, t), own, its, gainOfStep(t))
+                ? Sleep.passedOn(itsSpeed, t.ownW * j, loadOf(t), own, its, gainOfStep(t))
                 : Sleep.passedFreely(itsSpeed, gap, own, its, gainOfStep(t), k.dt);
         if (passed > 0f) {
-            if (next[id] == 0f) {
+            if (t.nextSpeed == 0f) {
                 list = withRoom(list, count);
-                list[count++] = id;
+                list[count++] = t;
             }
-            next[id] = CircleMath.max(next[id], passed);
+            t.nextSpeed = CircleMath.max(t.nextSpeed, passed);
         }
     }
 
-    private float loadOf(int id, int t) {
-        if (looked[id] != step) {
-            clear(id);
+    private float loadOf(RigidThing t) {
+        if (t.looked != step) {
+            clear(t);
             joints.press(t, this);
-            pressByResting(id);
+            pressByResting(t);
         }
-        return sum(t, SUM_LOAD);
+        return load(t);
     }
 
     /** Ends a ring, all of which wake at once. */
     public void endRing() {
         ringFrom = wokenCount;
         for (int n = 0; n < count; n++) {
-            int id = list[n];
-            speed[id] = next[id];
-            next[id] = 0f;
-            if (speed[id] > Sleep.LEAST_HIT * things.thin[pairs.bodyThing(id)] / k.dt) {
-                addWoken(id);
+            RigidThing t = list[n];
+            t.speed = t.nextSpeed;
+            t.nextSpeed = 0f;
+            if (t.speed > Sleep.LEAST_HIT * t.thin / k.dt) {
+                addWoken(t);
             }
         }
     }
@@ -569,7 +532,7 @@ public final class WakingByBodies {
     /** Wakes all that are to wake; returns whether there are any. */
     public boolean end() {
         for (int n = 0; n < wokenCount; n++) {
-            bodies.wake(woken[n]);
+            bodies.wake(woken[n].id);
         }
         pairs.forgetProbes(thingsBefore);
         resting.begin();
@@ -577,9 +540,6 @@ public final class WakingByBodies {
     }
 
     long bytes() {
-        return 4L * (looked.length + wokenIn.length + speed.length + next.length + list.length + woken.length)
-                + 8L * sums.length
-                + bordered.length
-                + borders.length;
+        return 4L * (list.length + woken.length) + bordered.length + borders.length;
     }
 }

@@ -9,27 +9,43 @@ import static io.github.circles2d.world.model.JointState.SUM_Y;
 import static io.github.circles2d.world.model.JointState.UPPER;
 
 import io.github.circles2d.world.jvm.joints.VisitedJoint;
+import io.github.circles2d.world.jvm.state.JointStates;
+import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointSpring;
+import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.Softness;
+import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Velocity;
 
 /**
- * The visits of a joint that holds a rigid body, by the formulas of {@link JointMath}. What acts in both axes at once, a pin, a weld or friction, solves both
+ * A joint that holds rigid bodies, in a step: its visits, by the formulas of {@link JointMath}. What acts in both axes at once, a pin, a weld or friction, solves both
  * together, since an impulse along one of them moves a place on an arm along the other.
  */
-final class RigidJointVisits extends VisitedJoint {
+final class RigidJoint extends VisitedJoint {
     /** Of a determinant, by the square of the trace: less is rounding, and the place moves along one line alone. */
     private static final float LEAST_DETERMINANT = 1e-6f;
 
-    private final RigidJointEnds ends;
+    private final State state;
+    int id;
+    private final RigidJointEnd a;
+    private final RigidJointEnd b;
+
+    // from the base of A to that of B
+    private float baseX;
+    private float baseY;
+
+    // from A to B, as measured last
+    private float normalX;
+    private float normalY;
+    private float distance;
+
+    /** The greatest speed by which it corrects where its ends are. */
+    private float most;
 
     // ---- of the visit
-
-    private int a;
-    private int b;
 
     /** How far B is from A. */
     private float x;
@@ -55,18 +71,34 @@ final class RigidJointVisits extends VisitedJoint {
     private float solvedX;
     private float solvedY;
 
-    RigidJointVisits(RigidJointEnds ends) {
-        this.ends = ends;
+    RigidJoint(State state, RigidPairs pairs) {
+        this.state = state;
+        a = new RigidJointEnd(state, pairs, 0);
+        b = new RigidJointEnd(state, pairs, 1);
+    }
+
+    /** Begins a step: measures for the first time, and gives circles what it keeps. */
+    void beginStep(JointStep step, JointStates itsStates, StepConstants constants) {
+        begin(step, itsStates, constants);
+        takeJoint(id);
+        a.begin(id, step, constants);
+        b.begin(id, step, constants);
+        float wayX = b.baseX() - a.baseX();
+        float wayY = b.baseY() - a.baseY();
+        baseX = state.wraps ? CircleMath.shortWay(wayX, state.periodX) : wayX;
+        baseY = state.wraps ? CircleMath.shortWay(wayY, state.periodY) : wayY;
+        normalX = 1f;
+        normalY = 0f;
+        distance = 0f;
+        float size = CircleMath.min(a.size(), b.size());
+        most = size < Float.POSITIVE_INFINITY ? JointMath.greatestPush(size, k.inverseH) : 0f;
+        scale(isExact(0), isExact(0), isExact(JointRow.TURN_ANGLE));
+        measure(0);
+        all();
+        giveNext();
     }
 
     // ---- what it is
-
-    /** Takes a joint, whose ends are e and the one behind it. */
-    void take(int joint, int e) {
-        a = e;
-        b = e + 1;
-        takeJoint(joint);
-    }
 
     /** A weld has its place at both ends. */
     private boolean isPoint() {
@@ -82,56 +114,52 @@ final class RigidJointVisits extends VisitedJoint {
         return angular() == ofAngular && has(JointRow.ELASTIC) && hasExactSpring();
     }
 
-    /** Scales the impulses of the step before. */
-    void scale() {
-        scale(isExact(0), isExact(0), isExact(JointRow.TURN_ANGLE));
-    }
-
     // ---- where its ends are, and how they move
 
-    /** Measures at a boundary of sub-steps; work: the base, and the normal of the last time. */
-    void measure(int boundary, float[] work, int o) {
-        ends.turn(a);
-        ends.turn(b);
-        x = CircleMath.difference(work[o + RigidJoints.BASE_X], ends.wayX(a, boundary), ends.wayX(b, boundary));
-        y = CircleMath.difference(work[o + RigidJoints.BASE_Y], ends.wayY(a, boundary), ends.wayY(b, boundary));
+    /** Measures at a boundary of sub-steps. */
+    private void measure(int boundary) {
+        a.turn();
+        b.turn();
+        x = CircleMath.difference(baseX, a.wayX(boundary), b.wayX(boundary));
+        y = CircleMath.difference(baseY, a.wayY(boundary), b.wayY(boundary));
         strain = 0f;
         if (isPoint()) {
             strain = has(JointRow.RIGID) ? CircleMath.length(x, y) : 0f;
             if (has(JointRow.RIGID)) {
-                ends.meet(a, x, y);
+                b.meet(a, x, y);
+                a.meet(b, -x, -y);
             }
         } else if (isAxial()) {
-            measureLine(work, o);
+            measureLine();
         }
     }
 
-    private void measureLine(float[] work, int o) {
+    private void measureLine() {
         float d = CircleMath.length(x, y);
         if (d > 0f) {
-            work[o + RigidJoints.NORMAL_X] = x / d;
-            work[o + RigidJoints.NORMAL_Y] = y / d;
+            normalX = x / d;
+            normalY = y / d;
         }
-        work[o + RigidJoints.DISTANCE] = d;
+        distance = d;
         strain = strain(d);
     }
 
     private void look(int boundary) {
-        vx = ends.vx(b, boundary) - ends.vx(a, boundary);
-        vy = ends.vy(b, boundary) - ends.vy(a, boundary);
-        float ax = ends.arm[0][a];
-        float ay = ends.arm[1][a];
-        float bx = ends.arm[0][b];
-        float by = ends.arm[1][b];
-        float w = ends.ownW[a] + ends.ownW[b];
-        kxx = w + (ends.ownI[a] * (ay * ay) + ends.ownI[b] * (by * by));
-        kxy = -1f * (ends.ownI[a] * (ax * ay) + ends.ownI[b] * (bx * by));
-        kyy = w + (ends.ownI[a] * (ax * ax) + ends.ownI[b] * (bx * bx));
+        vx = b.vx(boundary) - a.vx(boundary);
+        vy = b.vy(boundary) - a.vy(boundary);
+        float ax = a.armX;
+        float ay = a.armY;
+        float bx = b.armX;
+        float by = b.armY;
+        float w = a.ownW + b.ownW;
+        kxx = w + (a.ownI * (ay * ay) + b.ownI * (by * by));
+        kxy = -1f * (a.ownI * (ax * ay) + b.ownI * (bx * by));
+        kyy = w + (a.ownI * (ax * ax) + b.ownI * (bx * bx));
     }
 
     private void lookBack(int boundary) {
-        begunX = ends.begunX(b, boundary) - ends.begunX(a, boundary);
-        begunY = ends.begunY(b, boundary) - ends.begunY(a, boundary);
+        begunX = b.begunX(boundary) - a.begunX(boundary);
+        begunY = b.begunY(boundary) - a.begunY(boundary);
     }
 
     /** Finds the impulse that changes the velocity of B against A by so much. */
@@ -164,12 +192,12 @@ final class RigidJointVisits extends VisitedJoint {
     }
 
     /** All impulses that the joint keeps, as what is to be given. */
-    void all(float[] work, int o) {
+    private void all() {
         float[] q = states.rows;
         if (isAxial()) {
             float along = (q[kept + AXIAL] + q[kept + LOWER]) - q[kept + UPPER];
-            pushX = work[o + RigidJoints.NORMAL_X] * along;
-            pushY = work[o + RigidJoints.NORMAL_Y] * along;
+            pushX = normalX * along;
+            pushY = normalY * along;
         } else {
             pushX = q[kept + AXIAL];
             pushY = q[kept + ACROSS];
@@ -177,30 +205,29 @@ final class RigidJointVisits extends VisitedJoint {
         twist = q[kept + ANGULAR];
     }
 
-    void give() {
-        ends.push(a, -1f * pushX, -1f * pushY, twist);
-        ends.push(b, pushX, pushY, -1f * twist);
+    private void give() {
+        a.push(-1f * pushX, -1f * pushY, twist);
+        b.push(pushX, pushY, -1f * twist);
     }
 
-    void giveToBodies() {
-        ends.pushBody(a, -1f * pushX, -1f * pushY, twist);
-        ends.pushBody(b, pushX, pushY, -1f * twist);
+    /** What bodies keep acts again; on circles it has acted before. */
+    void warmStart() {
+        all();
+        a.pushBody(-1f * pushX, -1f * pushY, twist);
+        b.pushBody(pushX, pushY, -1f * twist);
     }
 
     /** Circles begin the next sub-step with it. */
-    void giveNext() {
-        ends.pushNext(a, -1f * pushX, -1f * pushY, twist, strain);
-        ends.pushNext(b, pushX, pushY, -1f * twist, strain);
-    }
-
-    void addToSums() {
-        addToSums(pushX, pushY, twist);
+    private void giveNext() {
+        a.pushNext(-1f * pushX, -1f * pushY, twist, strain);
+        b.pushNext(pushX, pushY, -1f * twist, strain);
     }
 
     // ---- the biased pass
 
-    /** With bias; the joint has been measured. */
-    void solve(int sub, float[] work, int o) {
+    /** Visits with bias. */
+    void solve(int sub) {
+        measure(sub);
         clear();
         if (angular() != 0 && angular() != JointRow.TURN_SPEED) {
             twist = solveTurning(isExact(JointRow.TURN_ANGLE), turnMass(), omega(), away());
@@ -211,9 +238,9 @@ final class RigidJointVisits extends VisitedJoint {
             lookBack(sub);
         }
         if (isAxial()) {
-            solveLine(true, work, o);
+            solveLine(true);
         } else if (isPoint()) {
-            solvePoint(work, o);
+            solvePoint();
         }
         give();
     }
@@ -221,36 +248,36 @@ final class RigidJointVisits extends VisitedJoint {
     /** Gives what turns at once, since the rest sees it. */
     private void giveTwist() {
         if (twist != 0f) {
-            ends.push(a, 0f, 0f, twist);
-            ends.push(b, 0f, 0f, -1f * twist);
+            a.push(0f, 0f, twist);
+            b.push(0f, 0f, -1f * twist);
             twist = 0f;
         }
     }
 
     private float turnMass() {
-        return JointMath.jointMass(ends.ownI[a] + ends.ownI[b]);
+        return JointMath.jointMass(a.ownI + b.ownI);
     }
 
     private float omega() {
-        return ends.omega(a) - ends.omega(b);
+        return a.omega() - b.omega();
     }
 
     private float away() {
-        return turnedAway(ends.angle(a), ends.turned(a), ends.angle(b), ends.turned(b));
+        return turnedAway(a.angle(), a.turned(), b.angle(), b.turned());
     }
 
-    private void solveLine(boolean biased, float[] work, int o) {
-        float nx = work[o + RigidJoints.NORMAL_X];
-        float ny = work[o + RigidJoints.NORMAL_Y];
-        float d = work[o + RigidJoints.DISTANCE];
+    private void solveLine(boolean biased) {
+        float nx = normalX;
+        float ny = normalY;
+        float d = distance;
         inverse = inverseAlong(nx, ny);
         mass = JointMath.jointMass(inverse);
-        float sum = along(biased, isExact(0), mass, nx, ny, d, work[o + RigidJoints.PUSH]);
+        float sum = along(biased, isExact(0), mass, nx, ny, d, most);
         pushX = nx * sum;
         pushY = ny * sum;
     }
 
-    private void solvePoint(float[] work, int o) {
+    private void solvePoint() {
         float[] q = states.rows;
         if (isExact(0)) {
             float now = ofSpring(JointSpring.NOW);
@@ -271,7 +298,7 @@ final class RigidJointVisits extends VisitedJoint {
         float massScale = rigid ? soft.massScale : ofSpring(JointSpring.MASS_SCALE);
         float rate = rigid ? soft.biasRate : ofSpring(JointSpring.BIAS_RATE);
         float impulseScale = rigid ? soft.impulseScale : ofSpring(JointSpring.IMPULSE_SCALE);
-        float share = rigid ? Velocity.shareWithin(rate * x, rate * y, work[o + RigidJoints.PUSH]) : 1f;
+        float share = rigid ? Velocity.shareWithin(rate * x, rate * y, most) : 1f;
         solve(massScale * (vx + share * (rate * x)), massScale * (vy + share * (rate * y)));
         accumulate(impulseScale);
     }
@@ -292,8 +319,9 @@ final class RigidJointVisits extends VisitedJoint {
 
     // ---- the relaxing pass
 
-    /** Without bias; the joint has been measured. */
-    void relax(int sub, float[] work, int o) {
+    /** Visits without bias; circles begin the next sub-step with what the joint keeps, if there is one. */
+    void relax(int sub, boolean last) {
+        measure(sub + 1);
         clear();
         if (relaxesTurning()) {
             twist = relaxTurning(turnMass(), omega());
@@ -301,11 +329,16 @@ final class RigidJointVisits extends VisitedJoint {
         }
         look(sub + 1);
         if (isAxial()) {
-            solveLine(false, work, o);
+            solveLine(false);
         } else if (linear() == JointRow.DRAG || isPoint() && has(JointRow.RIGID)) {
             solve(vx, vy);
             accumulate(0f);
         }
         give();
+        all();
+        addToSums(pushX, pushY, twist);
+        if (!last) {
+            giveNext();
+        }
     }
 }
