@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
@@ -11,12 +11,9 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** A positive belt carries to the right of the normal, whatever has it. */
 class BeltSignTest {
-    private static final String BACKENDS = "io.github.circles2d.WorldByIdTest#backends";
     private static final float STEP = 1 / 60f;
     private static final int STEPS = 6;
     private static final float PRESS = 20;
@@ -138,8 +135,7 @@ class BeltSignTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aBeltCarriesToTheRightOfTheNormalWhateverHasIt(Backend backend) {
         for (float belt : new float[] {5, -5}) {
             Riders bySetters = new Riders(backend, belt, false);
@@ -155,8 +151,7 @@ class BeltSignTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void snapshotsAndLogsKeepTheSign(Backend backend) throws IOException {
         Riders riders = new Riders(backend, 5, true);
         ByteArrayOutputStream log = new ByteArrayOutputStream();
@@ -192,13 +187,10 @@ class BeltSignTest {
     void aRefusalNamesTheSpeedThatWasGiven() {
         try (World world = WorldScenes.jvm().build()) {
             for (float speed : new float[] {2e9f, -2e9f}) {
-                assertThatIllegalArgumentException()
-                        .isThrownBy(() -> world.kind(0).setBeltSpeed(speed))
-                        .withMessageContaining("belt speed is " + speed);
+                assertIllegalArgument(
+                        "belt speed is " + speed, () -> world.kind(0).setBeltSpeed(speed));
                 for (Wall wall : Wall.values()) {
-                    assertThatIllegalArgumentException()
-                            .isThrownBy(() -> world.setWallSurface(wall, 0, 0, speed))
-                            .withMessageContaining("belt speed is " + speed);
+                    assertIllegalArgument("belt speed is " + speed, () -> world.setWallSurface(wall, 0, 0, speed));
                 }
             }
             assertBelts(world, 0);

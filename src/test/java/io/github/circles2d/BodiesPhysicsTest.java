@@ -16,12 +16,11 @@ class BodiesPhysicsTest {
     private static final float PI = (float) Math.PI;
 
     private static World world(double friction, double restitution, double gravity) {
-        return World.builder()
+        return WorldScenes.jvm()
                 .bounds(-400, -400, 400, 400)
                 .gravity(0, (float) -gravity)
                 .friction((float) friction)
                 .restitution((float) restitution)
-                .backend(Backend.JVM)
                 .threads(1)
                 .build();
     }
@@ -83,7 +82,6 @@ class BodiesPhysicsTest {
     }
 
     // ---- piles
-    // -------------------------------------------------------------------------------------------------------------
 
     @Test
     void aStackOfTenStands() {
@@ -161,7 +159,6 @@ class BodiesPhysicsTest {
     }
 
     // ---- arcs that meet other pieces at an angle
-    // ------------------------------------------------------------------------------------------------------------
 
     private static Outline halfDisc() {
         return Outline.of(Chain.from(0.6f, 0).arcTo(0, 0, PI).close());
@@ -289,7 +286,6 @@ class BodiesPhysicsTest {
     }
 
     // ---- friction
-    // ----------------------------------------------------------------------------------------------------------
 
     private static Outline disc() {
         return Outline.of(Chain.from(0.5f, 0).arcTo(0, 0, 2 * PI).close());
@@ -307,7 +303,6 @@ class BodiesPhysicsTest {
     }
 
     // ---- bounces
-    // -----------------------------------------------------------------------------------------------------------
 
     @Test
     void aCircleThatHitsAFreeBoxTurnsIt() {
@@ -377,7 +372,6 @@ class BodiesPhysicsTest {
     }
 
     // ---- games
-    // -------------------------------------------------------------------------------------------------------------
 
     @Test
     void aConcaveBodyHangsOnAPeg() {
@@ -484,15 +478,13 @@ class BodiesPhysicsTest {
     }
 
     // ---- terrain and walls
-    // ------------------------------------------------------------------------------------------------
 
     @Test
     void bodiesRestOnWallsAndFollowThem() {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 20, 20)
                 .gravity(0, -10)
                 .friction(0.6f)
-                .backend(Backend.JVM)
                 .build()) {
             long b = crate(world, 5, 0.5);
             run(world, 60);
@@ -608,11 +600,10 @@ class BodiesPhysicsTest {
 
     @Test
     void bodiesMeetAcrossASeam() {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 40, 40)
                 .edges(Edge.WRAP, Edge.WALL)
                 .restitution(0)
-                .backend(Backend.JVM)
                 .build()) {
             long a = box(world, 39, 20, 0, 0.5, 0.5, ROUNDING);
             long b = box(world, 2, 20, 0, 0.5, 0.5, ROUNDING);
@@ -644,8 +635,7 @@ class BodiesPhysicsTest {
     @Test
     void aSavedWorldGoesOnToTheBit() {
         try (World world = mixed();
-                World other =
-                        World.builder().bounds(0, 0, 1, 1).backend(Backend.JVM).build()) {
+                World other = WorldScenes.jvm().bounds(0, 0, 1, 1).build()) {
             run(world, 90);
             ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());
             world.snapshot(saved);
@@ -659,13 +649,12 @@ class BodiesPhysicsTest {
 
     /** Outlines of all sorts, circles, a drum that turns, and a seam. */
     private static World mixed() {
-        World world = World.builder()
+        World world = WorldScenes.jvm()
                 .bounds(0, 0, 40, 40)
                 .edges(Edge.WRAP, Edge.WALL)
                 .gravity(0, -10)
                 .friction(0.5f)
                 .restitution(0.3f)
-                .backend(Backend.JVM)
                 .build();
         TerrainBody wheel = world.terrain().addBody(20, 3, 0);
         wheel.addSegment(-4, 0, 4, 0);
@@ -705,11 +694,10 @@ class BodiesPhysicsTest {
     }
 
     private static long hashWith(int threads) {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 40, 40)
                 .gravity(0, -10)
                 .friction(0.5f)
-                .backend(Backend.JVM)
                 .threads(threads)
                 .build()) {
             for (int k = 0; k < 1200; k++) {

@@ -172,7 +172,6 @@ final class BodyRows {
     }
 
     // ---- piles
-    // -------------------------------------------------------------------------------------------------------------
 
     private static double drift(Scene scene, long... crates) {
         return Arrays.stream(crates)
@@ -362,7 +361,6 @@ final class BodyRows {
     }
 
     // ---- friction
-    // ----------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> slopes() {
         List<RowFigure> figures = new ArrayList<>();
@@ -502,7 +500,6 @@ final class BodyRows {
     }
 
     // ---- bounces and hits
-    // ---------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> drops() {
         List<RowFigure> figures = new ArrayList<>();
@@ -655,7 +652,6 @@ final class BodyRows {
     }
 
     // ---- games
-    // -------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> dominoes() {
         try (Scene scene = Scene.onFloor(0.6, 0)) {

@@ -3,13 +3,11 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Whatever the engine accepts stays finite for 1,000 loops. Most values lie at the ends of ranges or far beyond them; those that the
@@ -24,19 +22,13 @@ class Circles2DFuzzTest {
         0, Float.MIN_VALUE, 1e-22f, 1e-9f, 1e-6f, 1e-3f, 0.01f, 0.3f, 1, 1e4f, 1e6f, 1e9f, 1e20f, Float.MAX_VALUE
     };
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void whatIsAcceptedStaysFiniteForAThousandLoops(Device device) throws IOException {
         run(device, 0, PROGRAMS);
     }
 
     /** Those that follow. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("exhaustive")
     void soDoMore(Device device) throws IOException {
         run(device, PROGRAMS, 4);

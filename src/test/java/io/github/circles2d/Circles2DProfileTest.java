@@ -4,20 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import java.io.IOException;
-import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 class Circles2DProfileTest {
-    static List<Device> devices() {
-        return TestDevices.all();
-    }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void anEngineForProfilingTellsAGrowingTimeForEachKernelOfAStep(Device device) throws IOException {
         try (Circles2D engine = new Circles2D(device, true)) {
             start(engine);
@@ -32,8 +25,7 @@ class Circles2DProfileTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void otherEnginesHaveNoProfile(Device device) throws IOException {
         Circles2D engine = new Circles2D(device);
         start(engine);

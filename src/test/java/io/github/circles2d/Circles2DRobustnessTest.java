@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.sun.management.ThreadMXBean;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.ForkedJvm;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.OpenCl;
-import io.github.circles2d.opencl.TestDevices;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
@@ -23,18 +23,12 @@ import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** The traps of JavaCL and of the drivers below it, seen from the public class. */
 @Tag("each-jdk")
 class Circles2DRobustnessTest {
     private static final float STEP = 1 / 60f;
     private static final float[] GRAVITY = {0, -0.01f};
-
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     /** Circles in rows, none of which ever has two contacts, so that every run gives the same. */
     private static Circles2D quietScene(Device device, PairIndexing indexing) throws IOException {
@@ -48,8 +42,7 @@ class Circles2DRobustnessTest {
         return engine;
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void integerDivisionByZeroStillThrowsInJavaWhileKernelsRun(Device device) throws IOException {
         try (Circles2D engine = quietScene(device, PairIndexing.COMPUTED)) {
             int zero = engine.size() == 400 ? 0 : 1;
@@ -69,8 +62,7 @@ class Circles2DRobustnessTest {
     }
 
     /** Buffers that only a running kernel knows must not go: a collected one ends the process or changes the result. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void collectionsUnderRunningKernelsChangeNothing(Device device) throws Exception {
         for (PairIndexing indexing : PairIndexing.values()) {
@@ -106,8 +98,7 @@ class Circles2DRobustnessTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void callsFromManyThreadsRunOneAtATime(Device device) throws Exception {
         ExecutorService threads = Executors.newFixedThreadPool(4);
         try (Circles2D shared = quietScene(device, PairIndexing.ROW_SEARCH);
@@ -134,8 +125,7 @@ class Circles2DRobustnessTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void closingWhileOtherThreadsStepGivesThemAClearException(Device device) throws Exception {
         ExecutorService threads = Executors.newFixedThreadPool(2);
         try {
@@ -161,8 +151,7 @@ class Circles2DRobustnessTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aLoopAllocatesItsResultAndAStepNothing(Device device) throws IOException {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         try (Circles2D engine = quietScene(device, PairIndexing.EXACT)) {
@@ -186,8 +175,7 @@ class Circles2DRobustnessTest {
     }
 
     /** Each holds 4 or 8 MB on the device: were the buffers of one in five lost, it would be some 100 MB. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @EnabledOnOs(OS.LINUX)
     @Tag("long")
     void aHundredEnginesCreatedSteppedAndClosedLeaveResidentMemoryWhereItWas(Device device) {
@@ -195,8 +183,7 @@ class Circles2DRobustnessTest {
     }
 
     /** Were the buffers of one in fifty lost, it would be more than 100 MB. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @EnabledOnOs(OS.LINUX)
     @Tag("exhaustive")
     void aThousandEnginesCreatedSteppedAndClosedLeaveResidentMemoryWhereItWas(Device device) {

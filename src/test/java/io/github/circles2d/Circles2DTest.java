@@ -1,5 +1,7 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.Refusals.assertIllegalState;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
@@ -9,6 +11,7 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.KernelBuildException;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.TestDevices;
 import java.io.IOException;
@@ -34,10 +37,6 @@ class Circles2DTest {
     private static final float STEP = 1 / 60f;
     private static final float[] GRAVITY = {0, -0.01f};
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
     static List<Arguments> everyIndexingOnEveryDevice() {
         List<Arguments> cases = new ArrayList<>();
         for (Device device : TestDevices.all()) {
@@ -57,8 +56,7 @@ class Circles2DTest {
         return engine;
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void circlesOutOfRangeAreRefusedWithValueAndRuleAndNothingIsAdded(Device device) {
         try (Circles2D engine = new Circles2D(device)) {
             String coordinates = "from -1000000.0 to 1000000.0";
@@ -86,8 +84,7 @@ class Circles2DTest {
                 .withMessageContainingAll(what, rule, String.valueOf(value));
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void anInitOutOfRangeIsRefusedAndTheEngineRunsOnAsBefore(Device device) throws IOException {
         try (Circles2D engine = running(device, PairIndexing.ROW_SEARCH, 20)) {
             float[][] before = engine.loop();
@@ -103,9 +100,7 @@ class Circles2DTest {
                 assertRefused(() -> engine.init(STEP, 2, 0.5f, new float[] {0, bad}), "y of gravity", range, bad);
             }
             for (int length : new int[] {0, 1, 3}) {
-                assertThatIllegalArgumentException()
-                        .isThrownBy(() -> engine.init(STEP, 2, 0.5f, new float[length]))
-                        .withMessageContaining("two values");
+                assertIllegalArgument("two values", () -> engine.init(STEP, 2, 0.5f, new float[length]));
             }
             for (int strategy : new int[] {-1, 4, Integer.MAX_VALUE, Integer.MIN_VALUE}) {
                 assertThatIllegalArgumentException()
@@ -120,8 +115,7 @@ class Circles2DTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void unreadableOrBrokenKernelsLeaveTheEngineAsBefore(Device device, @TempDir Path folder) throws IOException {
         try (Circles2D engine = running(device, PairIndexing.EXACT, 20)) {
             float[][] before = engine.loop();
@@ -144,8 +138,7 @@ class Circles2DTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void tooManyCirclesAreRefusedWithWhatTheyNeedAndWhatWouldFit(Device device) throws IOException {
         try (Circles2D engine = running(device, PairIndexing.EXACT, 20)) {
             engine.loop();
@@ -170,8 +163,7 @@ class Circles2DTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void nothingRunsBeforeTheFirstInit(Device device) {
         try (Circles2D engine = new Circles2D(device)) {
             engine.addCircle(0.5f, 0.5f, 0.1f, 1);
@@ -183,8 +175,7 @@ class Circles2DTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void everythingIsRefusedAfterCloseAndClosingTwiceIsFine(Device device) throws IOException {
         Circles2D engine = running(device, PairIndexing.LOOKUP_TABLE, 10);
         engine.step();
@@ -273,8 +264,7 @@ class Circles2DTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void circlesAddedOrClearedTakePartFromTheNextInitOn(Device device) throws IOException {
         try (Circles2D engine = running(device, PairIndexing.EXACT, 3)) {
             engine.addCircle(0.5f, 0.5f, 0.01f, 1, 0.25f, 0);
@@ -390,8 +380,6 @@ class Circles2DTest {
             assertThat(PairIndexing.ofStrategy(strategy).strategy()).isEqualTo(strategy);
         }
         assertThatIllegalArgumentException().isThrownBy(() -> PairIndexing.ofStrategy(4));
-        assertThatIllegalStateException()
-                .isThrownBy(PairIndexing.AUTO::strategy)
-                .withMessageContaining("AUTO");
+        assertIllegalState("AUTO", PairIndexing.AUTO::strategy);
     }
 }

@@ -1,5 +1,7 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.Refusals.assertIllegalState;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
@@ -17,12 +19,10 @@ import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The loop of a game: when it steps, and what it shows in between. */
 class FixedStepTest {
-    private static final String BACKENDS = "io.github.circles2d.WorldByIdTest#backends";
 
     /** A power of two, so that sums of steps are exact. */
     private static final float STEP = 1 / 64f;
@@ -42,7 +42,6 @@ class FixedStepTest {
     }
 
     // ---- steps
-    // -----------------------------------------------------------------------------------------------------
 
     @Test
     void timeIsSavedUpUntilItIsEnoughForAStep() {
@@ -110,9 +109,7 @@ class FixedStepTest {
     void whatRunsBeforeAStepCannotMakeStepsOfItsOwn() {
         try (World world = world()) {
             FixedStep loop = new FixedStep(world, STEP);
-            assertThatIllegalStateException()
-                    .isThrownBy(() -> loop.advance(3 * STEP, () -> loop.advance(STEP, null)))
-                    .withMessageContaining("cannot make steps");
+            assertIllegalState("cannot make steps", () -> loop.advance(3 * STEP, () -> loop.advance(STEP, null)));
             assertThat(loop.advance(2 * STEP, null)).isEqualTo(2);
         }
     }
@@ -123,9 +120,7 @@ class FixedStepTest {
                 World other = world()) {
             long a = world.add(1, 5, 0.1f, 1, 4, 0);
             FixedStep loop = new FixedStep(world, STEP);
-            assertThatIllegalStateException()
-                    .isThrownBy(() -> loop.advance(3 * STEP, () -> world.step(STEP)))
-                    .withMessageContaining("cannot make steps");
+            assertIllegalState("cannot make steps", () -> loop.advance(3 * STEP, () -> world.step(STEP)));
             assertThat(world.x(a)).as("one step has been made").isEqualTo(1 + 4 * STEP);
             assertThat(loop.advance(2 * STEP, () -> other.step(STEP))).isEqualTo(2);
 
@@ -207,10 +202,8 @@ class FixedStepTest {
     }
 
     // ---- positions
-    // -------------------------------------------------------------------------------------------------
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aCircleMovesEvenlyAtAnyRateOfFrames(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(1, 5, 0.1f, 1, 4, 0);
@@ -228,8 +221,7 @@ class FixedStepTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void circlesThatAreMovedOrNewAppearWhereTheyAre(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(1, 5, 0.1f, 1);
@@ -255,8 +247,7 @@ class FixedStepTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aRemovedCircleIsGoneAtOnceAndANewOneWithItsIdIsAtItsOwnPlace(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(1, 5, 0.1f, 1);
@@ -283,10 +274,8 @@ class FixedStepTest {
     }
 
     // ---- radii
-    // -----------------------------------------------------------------------------------------------------
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aCircleGrowsEvenlyAtAnyRateOfFrames(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(2, 5, 0.5f, 1);
@@ -307,8 +296,7 @@ class FixedStepTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aRadiusThatIsSetShowsAtOnceWithTheNextStep(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(2, 5, 0.5f, 1);
@@ -323,8 +311,7 @@ class FixedStepTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void theSameIdsHaveRadiiAsHavePositions(Backend backend) {
         try (World world = world(backend)) {
             FixedStep loop = new FixedStep(world, STEP);
@@ -397,7 +384,6 @@ class FixedStepTest {
     }
 
     // ---- angles
-    // -----------------------------------------------------------------------------------------------------
 
     private static final float TURN = (float) (2 * Math.PI);
 
@@ -405,8 +391,7 @@ class FixedStepTest {
         assertThat((float) Math.IEEEremainder(angle - expected, 2 * Math.PI)).isCloseTo(0, within(1e-4f));
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aCircleTurnsEvenlyAtAnyRateOfFrames(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(2, 5, 0.5f, 1);
@@ -430,8 +415,7 @@ class FixedStepTest {
     }
 
     /** From 3 to -3 it is 0.28 to the left, and 6 to the right. */
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void anAngleTakesTheShortWay(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(2, 5, 0.5f, 1);
@@ -449,8 +433,7 @@ class FixedStepTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void anAngleThatIsSetShowsAtOnceWithTheNextStep(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(2, 5, 0.5f, 1);
@@ -468,8 +451,7 @@ class FixedStepTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void theSameIdsHaveAnglesAsHavePositions(Backend backend) {
         try (World world = world(backend)) {
             FixedStep loop = new FixedStep(world, STEP);
@@ -499,8 +481,7 @@ class FixedStepTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aReplayShowsCirclesThatTurnAsTheGameDid(Backend backend) throws IOException {
         ByteArrayOutputStream log = new ByteArrayOutputStream();
         float[] shown = new float[12];
@@ -597,8 +578,7 @@ class FixedStepTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void everyBackEndShowsTheSame(Backend backend) {
         Scene scene = Scenes.packed(500, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
@@ -619,7 +599,6 @@ class FixedStepTest {
     }
 
     // ---- replays
-    // ---------------------------------------------------------------------------------------------------
 
     /** A game with changes before its steps, at an uneven rate of frames. */
     private static void steer(World world, long[] balls, int step) {
@@ -632,8 +611,7 @@ class FixedStepTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aReplayShowsTheSamePicturesAsTheGame(Backend backend) throws IOException {
         int frames = 60;
         float[][] shown = new float[frames][];
@@ -693,15 +671,12 @@ class FixedStepTest {
             new Recording(world, log, 1).close();
             Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), other);
             FixedStep loop = new FixedStep(world, STEP);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> loop.advanceReplay(STEP, replay))
-                    .withMessageContaining("another world");
+            assertIllegalArgument("another world", () -> loop.advanceReplay(STEP, replay));
             assertThat(loop.alpha()).isZero();
         }
     }
 
     // ---- misuse
-    // ----------------------------------------------------------------------------------------------------
 
     @Test
     void valuesOutOfRangeAreRefused() {
@@ -717,16 +692,13 @@ class FixedStepTest {
             assertThatIllegalArgumentException().isThrownBy(() -> loop.setMaxSteps(0));
             assertThatIllegalArgumentException().isThrownBy(() -> loop.setMaxSteps(1001));
             world.add(5, 5, 1, 1);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> loop.positions(new long[0]))
-                    .withMessageContaining("living");
+            assertIllegalArgument("living", () -> loop.positions(new long[0]));
             assertThat(loop.positions(new long[1]).remaining()).isEqualTo(2);
         }
     }
 
     /** A level is built, or the game adds circles, between a step and the picture after it. */
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aCircleThatIsNewWhileTheGameIsPausedIsDrawn(Backend backend) {
         try (World world = world(backend)) {
             long old = world.add(5, 5, 1, 1);
@@ -789,9 +761,7 @@ class FixedStepTest {
                     loop.positions(null);
                 }
                 world.requestPositions();
-                assertThatIllegalStateException()
-                        .isThrownBy(() -> loop.positions(null))
-                        .withMessageContaining("requestPositions");
+                assertIllegalState("requestPositions", () -> loop.positions(null));
                 assertThat(world.takePositions().get(0)).isEqualTo(5);
                 assertThatIllegalStateException().isThrownBy(() -> loop.positions(null));
                 loop.advance(STEP, null);
@@ -856,19 +826,16 @@ class FixedStepTest {
             assertThatIllegalArgumentException().isThrownBy(() -> loop.pose(lift, pose));
             assertThatIllegalArgumentException().isThrownBy(() -> loop.pose(late, new float[2]));
             try (World other = world()) {
-                assertThatIllegalArgumentException()
-                        .isThrownBy(() -> new FixedStep(other, STEP).pose(late, pose))
-                        .withMessageContaining("is of another world");
+                assertIllegalArgument("is of another world", () -> new FixedStep(other, STEP).pose(late, pose));
             }
         }
     }
 
     @Test
     void bodiesCrossTheSeamTheShortWay() {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 10, 10)
                 .edges(Edge.WRAP, Edge.WALL)
-                .backend(Backend.JVM)
                 .build()) {
             TerrainBody cart = world.terrain().addBody(9.95f, 3, 0);
             cart.setVelocity(6.4f, 0);
@@ -885,7 +852,6 @@ class FixedStepTest {
     }
 
     // ---- joints
-    // ----------------------------------------------------------------------------------------------------
 
     /** Requires that an end lies at a place. */
     private static void requireEnd(float[] ends, int joint, int end, double x, double y) {
@@ -893,8 +859,7 @@ class FixedStepTest {
         assertThat((double) ends[4 * joint + 2 * end + 1]).isCloseTo(y, within(1e-5));
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     @Tag("long")
     void jointsEndWhereCirclesAndBodiesAreDrawn(Backend backend) {
         try (World world = world(backend)) {
@@ -973,12 +938,8 @@ class FixedStepTest {
             world.remove(b);
             assertThat(loop.jointEnds(ends, null)).isEqualTo(2);
             requireEnd(ends, 0, 1, 9, 5);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> loop.jointEnds(new float[7], null))
-                    .withMessageContaining("ends");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> loop.jointEnds(ends, new long[1]))
-                    .withMessageContaining("handles");
+            assertIllegalArgument("ends", () -> loop.jointEnds(new float[7], null));
+            assertIllegalArgument("handles", () -> loop.jointEnds(ends, new long[1]));
             world.requestPositions();
             assertThatIllegalStateException().isThrownBy(() -> loop.jointEnds(ends, null));
         }
@@ -986,10 +947,9 @@ class FixedStepTest {
 
     @Test
     void jointsAcrossTheSeamEndAtTheNearerImage() {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 10, 10)
                 .edges(Edge.WRAP, Edge.WALL)
-                .backend(Backend.JVM)
                 .build()) {
             TerrainBody cart = world.terrain().addBody(9.95f, 3, 0);
             cart.setVelocity(6.4f, 0);

@@ -29,7 +29,6 @@ final class JointRows {
     }
 
     // ---- pendulums
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> pendulums() {
         List<RowFigure> figures = new ArrayList<>();
@@ -98,7 +97,6 @@ final class JointRows {
     }
 
     // ---- springs
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> springs() {
         List<RowFigure> figures = new ArrayList<>();
@@ -146,7 +144,6 @@ final class JointRows {
     }
 
     // ---- ropes
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> ropes() {
         List<RowFigure> figures = new ArrayList<>(caught());
@@ -188,7 +185,6 @@ final class JointRows {
     }
 
     // ---- pins and motors
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> mouse() {
         try (JointScene scene = new JointScene(G)) {

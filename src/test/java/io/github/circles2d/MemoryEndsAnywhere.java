@@ -60,7 +60,6 @@ public final class MemoryEndsAnywhere {
     }
 
     // ---- each call alone
-    // ---------------------------------------------------------------------------------------------
 
     /**
      * Ends memory at allocations of each call in each scene. Returns what is wrong.
@@ -246,7 +245,6 @@ public final class MemoryEndsAnywhere {
     }
 
     // ---- programs
-    // ----------------------------------------------------------------------------------------------------
 
     /** Runs programs of random calls in two worlds, in one of which memory ends at random allocations. Returns what is wrong. */
     public static List<String> programs(int firstSeed, int count) {

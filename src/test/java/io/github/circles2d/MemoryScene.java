@@ -151,7 +151,6 @@ final class MemoryScene implements AutoCloseable {
     }
 
     // ---- all that can be seen
-    // ----------------------------------------------------------------------------------------
 
     /** All that can be seen of the world, a line each; takes its events. */
     String look() {

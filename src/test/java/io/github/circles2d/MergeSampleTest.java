@@ -51,7 +51,7 @@ class MergeSampleTest {
         int merges = 0;
         int throwing = 0;
         try (URLClassLoader loader = compiled();
-                World branch = World.builder().backend(Backend.JVM).build()) {
+                World branch = WorldScenes.jvm().build()) {
             for (long seed = 1; seed <= GAMES; seed++) {
                 Game game = new Game(loader, seed);
                 for (int frame = 0; frame < FRAMES && !game.isOver(); frame++) {

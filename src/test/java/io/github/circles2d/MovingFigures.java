@@ -48,7 +48,6 @@ public final class MovingFigures {
     }
 
     // ---- the first frames
-    // --------------------------------------------------------------------------------------------
 
     private static void start(int circles, int seconds, Backend backend) {
         Scene scene = Scenes.packed(circles, Scenes.SEED);
@@ -95,7 +94,6 @@ public final class MovingFigures {
     }
 
     // ---- the cost of a move
-    // ------------------------------------------------------------------------------------------
 
     /** Moves before each fourth step, to the device and back. */
     private static final class ToAndFro implements Mover {

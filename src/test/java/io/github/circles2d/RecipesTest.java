@@ -77,7 +77,6 @@ class RecipesTest {
     }
 
     // ---- on the ground
-    // -----------------------------------------------------------------------------------------------
 
     /** Makes steps, in each of which the player jumps if it can and the stick is up. Returns in how many steps it was on the ground. */
     private int walk(int steps) {
@@ -169,7 +168,6 @@ class RecipesTest {
     }
 
     // ---- a loop
-    // ------------------------------------------------------------------------------------------------------
 
     @Test
     void aBallGoesRoundALoopAndLeavesIt() {
@@ -236,7 +234,6 @@ class RecipesTest {
     }
 
     // ---- soft ground
-    // -------------------------------------------------------------------------------------------------
 
     @Test
     void theGroundDecidesHowHighABallBounces() {
@@ -261,7 +258,6 @@ class RecipesTest {
     }
 
     // ---- a lift
-    // ------------------------------------------------------------------------------------------------------
 
     @Test
     void aBallStandsOnALiftThatGoesToAndFroAndWalksOnIt() {
@@ -292,7 +288,6 @@ class RecipesTest {
     }
 
     // ---- swallowing
-    // --------------------------------------------------------------------------------------------------
 
     @Test
     void whoseCentreIsInsideIsSwallowed() {
@@ -350,7 +345,6 @@ class RecipesTest {
     }
 
     // ---- owners
-    // ------------------------------------------------------------------------------------------------------
 
     @Test
     void shotsPassTheirOwnerAndHitAllOthersOfHundreds() {
@@ -385,7 +379,6 @@ class RecipesTest {
     }
 
     // ---- the seam
-    // ----------------------------------------------------------------------------------------------------
 
     @Test
     void whatIsNearTheSeamIsDrawnBesideTheCamera() {
@@ -413,7 +406,6 @@ class RecipesTest {
     }
 
     // ---- filling
-    // -----------------------------------------------------------------------------------------------------
 
     @Test
     void groundIsFilledWithinATolerance() {
@@ -452,7 +444,6 @@ class RecipesTest {
     }
 
     // ---- planets
-    // -----------------------------------------------------------------------------------------------------
 
     /** Returns by how much the radius of an orbit differs after some turns, as a share. */
     private float orbit(boolean byForce) {
@@ -490,7 +481,6 @@ class RecipesTest {
     }
 
     // ---- frozen
-    // ------------------------------------------------------------------------------------------------------
 
     @Test
     void aFrozenCircleStaysUntilItIsLetGo() {
@@ -514,7 +504,6 @@ class RecipesTest {
     }
 
     // ---- fields
-    // ------------------------------------------------------------------------------------------------------
 
     @Test
     void aSunPullsAndWaterCarriesAndSlows() {

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -21,8 +22,6 @@ import java.util.Random;
 import java.util.zip.CRC32C;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** What a replay repeats, how it says that it differs, and what it refuses. */
 class RecordingTest {
@@ -36,12 +35,7 @@ class RecordingTest {
     /** In the log: the call of a step. */
     private static final byte STEP = 64;
 
-    static Backend[] backends() {
-        return RewindTest.backends();
-    }
-
-    @ParameterizedTest
-    @MethodSource("backends")
+    @OnEachBackend
     @Tag("each-jdk")
     void aLogOfAnyBackEndReplaysOnAnyOther(Backend backend) throws IOException {
         Scene scene = Scenes.packed(300, 4);
@@ -51,7 +45,7 @@ class RecordingTest {
             log = record(world, 7);
             end = RecordedCallsTest.snapshot(world);
         }
-        for (Backend other : backends()) {
+        for (Backend other : TestBackends.all()) {
             try (World player = World.builder().backend(other).build()) {
                 Replay replay = replay(log, player).run();
                 assertThat(replay.difference()).isEqualTo("no difference in " + replay.steps() + " steps");
@@ -124,8 +118,7 @@ class RecordingTest {
         assertThat(recordUnread(WorldScenes.jvm().threads(3), false)).isEqualTo(expected);
     }
 
-    @ParameterizedTest
-    @MethodSource("backends")
+    @OnEachBackend
     @Tag("each-jdk")
     @Tag("long")
     void aLogHasTheSameBytesOnAnyBackEnd(Backend backend) throws IOException {
@@ -424,9 +417,9 @@ class RecordingTest {
             OutputStream closed = OutputStream.nullOutputStream();
             closed.close();
             assertThatExceptionOfType(IOException.class).isThrownBy(() -> new Recording(world, closed, 1));
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> new Recording(world, OutputStream.nullOutputStream(), 0))
-                    .withMessageContaining("the number of steps between two hashes");
+            assertIllegalArgument(
+                    "the number of steps between two hashes",
+                    () -> new Recording(world, OutputStream.nullOutputStream(), 0));
             assertThat(recordFalls(world, 1)).isNotEmpty();
         }
     }

@@ -709,7 +709,6 @@ class ReferenceFuzzTest {
         }
 
         // ---- terrain
-        // -----------------------------------------------------------------------------------------------
 
         private void addRigid() {
             BodyOutline outline = outline();
@@ -974,7 +973,6 @@ class ReferenceFuzzTest {
         }
 
         // ---- joints
-        // -----------------------------------------------------------------------------------------------
 
         private void changeJoints() {
             switch (random.nextInt(24)) {
@@ -1279,7 +1277,6 @@ class ReferenceFuzzTest {
         }
 
         // ---- values
-        // -------------------------------------------------------------------------------------------------
 
         private float value(float low, float high) {
             return low + (high - low) * (random.nextInt(1 << 24) * 0x1p-24f);

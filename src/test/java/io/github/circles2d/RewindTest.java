@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
@@ -8,11 +9,8 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.nio.ByteBuffer;
 import java.util.Random;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Frames that come back, those that do not, and what they cost. */
 @Tag("each-jdk")
@@ -20,14 +18,8 @@ class RewindTest {
     private static final int FRAMES = 90;
     private static final int BACK = 10;
 
-    static Backend[] backends() {
-        return Stream.concat(Stream.of(Backend.JVM), Stream.of(WorldBackendTest.openClBackends()))
-                .toArray(Backend[]::new);
-    }
-
     /** As in rollback netcode: each frame is made once without what is not known yet, and again when it is. */
-    @ParameterizedTest
-    @MethodSource("backends")
+    @OnEachBackend
     void rollingBackTenFramesInEachFrameGivesTheBitsOfRunningStraight(Backend backend) {
         Scene scene = Scenes.packed(300, 3);
         try (World rolling = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
@@ -213,9 +205,7 @@ class RewindTest {
                     .isThrownBy(() -> rewind.restore(7))
                     .withMessage("frame 7 is not there: there are 3 of the frames from 5 to 9");
             assertThat(world.hash()).isEqualTo(hash);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> new Rewind(world, 0))
-                    .withMessageContaining("the number of frames");
+            assertIllegalArgument("the number of frames", () -> new Rewind(world, 0));
         }
     }
 

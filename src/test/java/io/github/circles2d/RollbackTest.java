@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
@@ -14,7 +15,6 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Frames that are made with predictions and again come out as those of a game that knew all inputs. */
@@ -48,12 +48,7 @@ class RollbackTest {
         return game.frames;
     }
 
-    static Backend[] backends() {
-        return RewindTest.backends();
-    }
-
-    @ParameterizedTest
-    @MethodSource("backends")
+    @OnEachBackend
     @Tag("each-jdk")
     void confirmedFramesAreThoseOfAStraightRunOnEveryBackEnd(Backend backend) {
         RollbackGame game = new RollbackGame(backend);
@@ -478,15 +473,9 @@ class RollbackTest {
         Sum game = new Sum();
         try (game.world) {
             World world = game.world;
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> new Rollback(world, game, 0, 2, 8))
-                    .withMessageContaining("the time step");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> new Rollback(world, game, 1, 65, 8))
-                    .withMessageContaining("the number of players");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> new Rollback(world, game, 1, 1, 0))
-                    .withMessageContaining("the window");
+            assertIllegalArgument("the time step", () -> new Rollback(world, game, 0, 2, 8));
+            assertIllegalArgument("the number of players", () -> new Rollback(world, game, 1, 65, 8));
+            assertIllegalArgument("the window", () -> new Rollback(world, game, 1, 1, 0));
         }
     }
 
@@ -612,9 +601,7 @@ class RollbackTest {
             assertThatIllegalStateException()
                     .isThrownBy(() -> game.rollback.seed(1))
                     .withMessage(message);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> game.rollback.randomInt(0))
-                    .withMessageContaining("the bound");
+            assertIllegalArgument("the bound", () -> game.rollback.randomInt(0));
         }
     }
 

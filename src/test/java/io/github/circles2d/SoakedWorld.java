@@ -32,7 +32,7 @@ final class SoakedWorld implements Soak.Soaked {
 
     SoakedWorld(Backend backend) {
         this.backend = backend;
-        control = build(World.builder().backend(Backend.JVM).threads(1));
+        control = build(WorldScenes.jvm().threads(1));
         other = build(World.builder().backend(backend));
         tested = build(World.builder().backend(backend));
         engines = 3;

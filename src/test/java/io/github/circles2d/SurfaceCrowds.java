@@ -75,7 +75,6 @@ final class SurfaceCrowds {
     }
 
     // ---- a heap
-    // ---------------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> heaps(double friction, double resistance, double box2d, double floor) {
         double slope = 0;
@@ -150,7 +149,6 @@ final class SurfaceCrowds {
     }
 
     // ---- a box
-    // ----------------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> box() {
         World.Builder builder = SurfaceBall.builder(0.6, 0, 0.5).bounds(0, 0, 20, 40);
@@ -202,7 +200,6 @@ final class SurfaceCrowds {
     }
 
     // ---- stacks
-    // ---------------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> stacks() {
         return List.of(

@@ -34,7 +34,6 @@ final class SurfaceRows {
     }
 
     // ---- slopes
-    // -------------------------------------------------------------------------------------------------------------------
 
     private static World.Builder slope(double tangent, double friction, double rollingResistance) {
         return SurfaceBall.builder(friction, rollingResistance, 0)
@@ -123,7 +122,6 @@ final class SurfaceRows {
     }
 
     // ---- a level floor
-    // --------------------------------------------------------------------------------------------------------------
 
     /** A disc that slides until it rolls; the surface speed is that of rolling forwards. */
     private static List<RowFigure> roll(
@@ -220,7 +218,6 @@ final class SurfaceRows {
     }
 
     // ---- bounces
-    // --------------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> bounces() {
         double[] grips = bounce(0.6, 0.5, 3, -5, 0);
@@ -275,7 +272,6 @@ final class SurfaceRows {
     }
 
     // ---- static circles
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> platform() {
         return List.of(

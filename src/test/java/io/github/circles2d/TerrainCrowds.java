@@ -75,7 +75,6 @@ final class TerrainCrowds {
     }
 
     // ---- a drum
-    // --------------------------------------------------------------------------------------------------------------
 
     /** A drum with twelve paddles turns, half full. */
     private static List<RowFigure> drum(int discs, int steps) {
@@ -125,7 +124,6 @@ final class TerrainCrowds {
     }
 
     // ---- an hourglass
-    // --------------------------------------------------------------------------------------------------------------
 
     /** Right half of the glass, from its floor to its top. */
     private static final float[] GLASS = {0.5f, 0, 6, 0, 6, 6, 0.8f, 11, 0.8f, 12, 6, 17, 6, 30};
@@ -178,7 +176,6 @@ final class TerrainCrowds {
     }
 
     // ---- a lift
-    // --------------------------------------------------------------------------------------------------------------
 
     /** A tray carries a pile up and down, by up to 3 m/s, with less than half of the acceleration of the fall. */
     private static List<RowFigure> lift(int discs, int steps) {

@@ -29,7 +29,6 @@ final class TerrainRows {
     }
 
     // ---- level grounds
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> chains() {
         List<RowFigure> figures = new ArrayList<>();
@@ -110,7 +109,6 @@ final class TerrainRows {
     }
 
     // ---- corners
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> concaveCorners() {
         return List.of(concave(true, 30, 3.59788), concave(false, 30, 3.59789), concave(true, 10, 3.935));
@@ -186,7 +184,6 @@ final class TerrainRows {
     }
 
     // ---- one-way
-    // --------------------------------------------------------------------------------------------------------------
 
     /** A line that circles pass from below. */
     private static TerrainBall oneWay(double gravity, double y, double vy) {
@@ -240,7 +237,6 @@ final class TerrainRows {
     }
 
     // ---- rest and bounces: as on a wall
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> rests() {
         return List.of(
@@ -324,7 +320,6 @@ final class TerrainRows {
     }
 
     // ---- loops
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> laps() {
         return List.of(

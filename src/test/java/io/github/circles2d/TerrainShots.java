@@ -285,7 +285,6 @@ final class TerrainShots {
     }
 
     // ---- flippers
-    // --------------------------------------------------------------------------------------------------------------
 
     private static List<RowFigure> flippers() {
         List<RowFigure> figures = new ArrayList<>();

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.sun.management.ThreadMXBean;
-import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.opencl.TestDevices;
@@ -17,20 +16,11 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** What a world runs on: the choice, and that nothing but speed depends on it. */
 @Tag("each-jdk")
 class WorldBackendTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-
-    static Backend[] openClBackends() {
-        return TestDevices.all().stream()
-                .map(device -> device.kind() == Device.Kind.GPU ? Backend.OPENCL_GPU : Backend.OPENCL_CPU)
-                .distinct()
-                .toArray(Backend[]::new);
-    }
 
     @Test
     void aPhoneHasTwoThreadsUnasked() {
@@ -40,8 +30,7 @@ class WorldBackendTest {
         assertThat(World.Builder.defaultThreads(64, false)).isEqualTo(16);
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     void aBackEndAskedForIsTakenAndHasTheSameHashAsTheJvm(Backend backend) {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
@@ -60,8 +49,7 @@ class WorldBackendTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void aWorldThatReportsSensorsAloneTakesNoMemoryForContacts(Backend backend) {
         Scene scene = Scenes.packed(5_000, Scenes.SEED);
@@ -84,12 +72,11 @@ class WorldBackendTest {
         assertThat(held[1] - held[0]).isBetween(1L, 100L * scene.size());
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     void aSnapshotTakenAtAnyStepGoesOnTheSameOnAnotherBackEnd(Backend backend) {
         Scene scene = Scenes.packed(500, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
-                World jvm = World.builder().backend(Backend.JVM).build();
+                World jvm = WorldScenes.jvm().build();
                 World back = World.builder().backend(backend).build()) {
             long[] handles = new long[scene.size()];
             world.readHandles(handles);
@@ -111,8 +98,7 @@ class WorldBackendTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     void positionsRequestedAreWhatTheJvmReadsAtTheRequestWhoeverComesAndGoesBehindIt(Backend backend) {
         Scene scene = Scenes.packed(800, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
@@ -139,8 +125,7 @@ class WorldBackendTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     void stepsAndReadsAllocateLessThanAKibibyteWhateverTheNumberOfCircles(Backend backend) {
         for (int n : new int[] {200, 5000}) {
             Scene scene = Scenes.packed(n, Scenes.SEED);

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
@@ -130,9 +131,8 @@ class WorldBodiesBulkTest {
                     .isThrownBy(() -> bulk.many.call(world.bodies(), handles, 3, values, StaleHandles.REFUSE))
                     .withMessageStartingWith("handle 1: ")
                     .withMessageContaining("was removed");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> bulk.many.call(world.bodies(), handles, 4, values, StaleHandles.SKIP))
-                    .withMessageContaining("count is 4");
+            assertIllegalArgument(
+                    "count is 4", () -> bulk.many.call(world.bodies(), handles, 4, values, StaleHandles.SKIP));
             assertThat(snapshot(world)).isEqualTo(before);
             assertThat(bulk.many.call(world.bodies(), handles, 3, values, StaleHandles.SKIP))
                     .isOne();
@@ -153,9 +153,9 @@ class WorldBodiesBulkTest {
                 assertThatIllegalArgumentException()
                         .isThrownBy(() -> bulk.many.call(world.bodies(), handles, 3, values, StaleHandles.SKIP))
                         .withMessageStartingWith("body 2: ");
-                assertThatIllegalArgumentException()
-                        .isThrownBy(() -> bulk.many.call(world.bodies(), handles, 3, new float[6], StaleHandles.SKIP))
-                        .withMessageContaining("for each of 3 handles");
+                assertIllegalArgument(
+                        "for each of 3 handles",
+                        () -> bulk.many.call(world.bodies(), handles, 3, new float[6], StaleHandles.SKIP));
             }
             long[] twice = {handles[2], handles[0], handles[2]};
             if (bulk.name.equals("removeAll")) {
@@ -217,9 +217,7 @@ class WorldBodiesBulkTest {
             assertThatNullPointerException()
                     .isThrownBy(() -> bodies.addAll(outlines, THREE, null, null))
                     .withMessageStartingWith("outline 1 ");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> bodies.addAll(new Outline[] {CRATE}, THREE, null, null))
-                    .withMessageContaining("outlines has 1");
+            assertIllegalArgument("outlines has 1", () -> bodies.addAll(new Outline[] {CRATE}, THREE, null, null));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.addAll(CRATE, new float[5], null, null));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.addAll(CRATE, THREE, new int[2], null));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.addAll(CRATE, THREE, null, new long[2]));
@@ -228,9 +226,7 @@ class WorldBodiesBulkTest {
                 many[k] = 1;
             }
             bodies.add(CRATE, 4, 5, 0, 1);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> bodies.addAll(CRATE, many, null, null))
-                    .withMessageContaining("at most 65536 bodies");
+            assertIllegalArgument("at most 65536 bodies", () -> bodies.addAll(CRATE, many, null, null));
             bodies.clear();
             assertThat(bodies.size()).isZero();
             assertThat(before.remaining()).isLessThan(snapshot(world).remaining()); // an id has been in use

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -9,8 +10,6 @@ import java.nio.ByteBuffer;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Calls on bodies that are pushed do what they say; what they have is state. */
 class WorldBodiesTest {
@@ -36,8 +35,7 @@ class WorldBodiesTest {
     }
 
     private static long wildHash() {
-        try (World world = World.builder()
-                .backend(Backend.JVM)
+        try (World world = WorldScenes.jvm()
                 .bounds(-1, -1, 1, 1)
                 .restitution(1)
                 .friction(1)
@@ -238,24 +236,14 @@ class WorldBodiesTest {
             bodies.remove(gone);
             long body = bodies.add(CRATE, 4, 5, 0, 2);
             assertThat(Bodies.id(body)).isEqualTo(Bodies.id(gone));
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> bodies.x(gone))
-                    .withMessageContaining("was removed");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> bodies.x(circle))
-                    .withMessageContaining("it is of a circle");
+            assertIllegalArgument("was removed", () -> bodies.x(gone));
+            assertIllegalArgument("it is of a circle", () -> bodies.x(circle));
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> bodies.x(0))
                     .withMessage("no body has the handle 0: 0 is the handle of nothing");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.x(body))
-                    .withMessageContaining("it is of a body of World.bodies. Bodies has its calls");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.contactsOf(body, new long[1], null))
-                    .withMessageContaining("touching in place of contactsOf");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.setGravityScale(body, 0))
-                    .withMessageContaining("a kind its gravity scale");
+            assertIllegalArgument("it is of a body of World.bodies. Bodies has its calls", () -> world.x(body));
+            assertIllegalArgument("touching in place of contactsOf", () -> world.contactsOf(body, new long[1], null));
+            assertIllegalArgument("a kind its gravity scale", () -> world.setGravityScale(body, 0));
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.terrain().remove(body));
             assertThatIllegalArgumentException().isThrownBy(() -> world.joints().remove(body));
@@ -267,7 +255,7 @@ class WorldBodiesTest {
 
     @Test
     void whatIsTooLargeForTheBoundsIsRefusedWithTheBounds() {
-        try (World world = World.builder().backend(Backend.JVM).build()) {
+        try (World world = WorldScenes.jvm().build()) {
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.bodies().add(Outline.box(1, 1), 0.5f, 0.5f, 0, 1))
                     .withMessageStartingWith("the reach of the outline from its centroid is 0.6")
@@ -337,9 +325,7 @@ class WorldBodiesTest {
                     .isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, -1))
                     .withMessage("mass is -1.0, but must be from 1.0E-9 to 1.0E9");
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 2, 256));
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> bodies.add(Outline.box(30, 1), 4, 5, 0, 2))
-                    .withMessageContaining("reach");
+            assertIllegalArgument("reach", () -> bodies.add(Outline.box(30, 1), 4, 5, 0, 2));
             assertThat(world.hash()).isEqualTo(hash);
             long body = bodies.add(CRATE, 4, 5, 0, 2);
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.setInertia(body, 0));
@@ -493,8 +479,7 @@ class WorldBodiesTest {
     }
 
     /** Bodies alone make steps, too: circles that have gone end their touches in the first, wherever it is made. */
-    @ParameterizedTest
-    @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
+    @OnEachOpenClBackend
     void circlesThatHaveGoneEndTheirTouchesInTheNextStep(Backend backend) {
         try (World device = World.builder()
                         .bounds(0, 0, 20, 10)
@@ -530,8 +515,7 @@ class WorldBodiesTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
+    @OnEachOpenClBackend
     void aWorldBuiltForADeviceHasBodiesThatSleep(Backend backend) {
         try (World device = sleeping().backend(backend).build();
                 World jvm = sleeping().build()) {

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -86,7 +87,6 @@ class WorldBodyQueriesTest {
     }
 
     // ---- a look at each body
-    // -----------------------------------------------------------------------------------------
 
     @Test
     void theyFindWhatALookAtEachBodyFinds() {
@@ -317,7 +317,6 @@ class WorldBodyQueriesTest {
     }
 
     // ---- single cases
-    // ------------------------------------------------------------------------------------------------
 
     @Test
     void cornersAreRoundAndEdgesAreExact() {
@@ -535,18 +534,10 @@ class WorldBodyQueriesTest {
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> queries.without(circle))
                     .withMessage("no body has the handle " + circle + ": it is of a circle, or of nothing");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> queries.pick(Float.NaN, 0))
-                    .withMessageContaining("x");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> queries.overlapCircle(0, 0, -1, found))
-                    .withMessageContaining("radius");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> queries.rayCast(0, 0, 1, Float.POSITIVE_INFINITY, hit))
-                    .withMessageContaining("dy");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> queries.nearest(0, 0, -1, 1, found, hits))
-                    .withMessageContaining("within");
+            assertIllegalArgument("x", () -> queries.pick(Float.NaN, 0));
+            assertIllegalArgument("radius", () -> queries.overlapCircle(0, 0, -1, found));
+            assertIllegalArgument("dy", () -> queries.rayCast(0, 0, 1, Float.POSITIVE_INFINITY, hit));
+            assertIllegalArgument("within", () -> queries.nearest(0, 0, -1, 1, found, hits));
             BodyQueries others = queries.without(body);
             assertThat(others.pick(0, 0)).isZero();
             world.bodies().remove(body);
@@ -560,7 +551,6 @@ class WorldBodyQueriesTest {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     private float[] answers(World world) {
         float[] rays = new float[4 * 60];

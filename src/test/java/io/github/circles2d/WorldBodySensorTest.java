@@ -15,11 +15,7 @@ class WorldBodySensorTest {
     private static final Outline CRATE = Outline.box(1, 1);
 
     private static World world() {
-        World world = World.builder()
-                .bounds(0, 0, 40, 40)
-                .backend(Backend.JVM)
-                .threads(2)
-                .build();
+        World world = WorldScenes.jvm().bounds(0, 0, 40, 40).threads(2).build();
         world.kind(SENSOR).setSensor(true);
         world.bodies().report(true);
         return world;
@@ -193,11 +189,10 @@ class WorldBodySensorTest {
 
     @Test
     void sleepersAreSensedAndSoIsWhatStays() {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 40, 40)
                 .gravity(0, -10)
                 .sleep(true)
-                .backend(Backend.JVM)
                 .build()) {
             world.kind(SENSOR).setSensor(true);
             Bodies bodies = world.bodies();
@@ -234,10 +229,9 @@ class WorldBodySensorTest {
 
     @Test
     void sensorsSeeThroughSeams() {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 40, 40)
                 .edges(Edge.WRAP, Edge.WRAP)
-                .backend(Backend.JVM)
                 .build()) {
             world.kind(SENSOR).setSensor(true);
             world.bodies().report(true);
@@ -272,12 +266,11 @@ class WorldBodySensorTest {
     void sensorsChangeNoBit() {
         long[] hashes = new long[2];
         for (int round = 0; round < 2; round++) {
-            try (World world = World.builder()
+            try (World world = WorldScenes.jvm()
                     .bounds(0, 0, 20, 20)
                     .gravity(0, -10)
                     .friction(0.5f)
                     .sleep(true)
-                    .backend(Backend.JVM)
                     .build()) {
                 world.kind(SENSOR).setSensor(true);
                 world.bodies().report(round == 1);

@@ -145,7 +145,6 @@ class WorldBodySleepTest {
     }
 
     // ---- bodies
-    // -----------------------------------------------------------------------------------------------------------
 
     private static World.Builder wide() {
         return box().bounds(-50, 0, 50, 60).restitution(0);

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -157,9 +158,8 @@ class WorldBulkTest {
             long[] handles = add(world, 4);
             long hash = world.hash();
             for (int count : new int[] {-1, 5, Integer.MIN_VALUE, Integer.MAX_VALUE}) {
-                assertThatIllegalArgumentException()
-                        .isThrownBy(() -> bulk.many().call(world, handles, count, values(4), StaleHandles.SKIP))
-                        .withMessageContaining("" + count);
+                assertIllegalArgument(
+                        "" + count, () -> bulk.many().call(world, handles, count, values(4), StaleHandles.SKIP));
             }
             if (!bulk.name().equals("removeAll")) {
                 assertThatIllegalArgumentException()
@@ -202,9 +202,7 @@ class WorldBulkTest {
             float[] values = values(6);
             values[9] = bad;
             for (StaleHandles stale : StaleHandles.values()) {
-                assertThatIllegalArgumentException()
-                        .isThrownBy(() -> bulk.many().call(world, handles, 6, values, stale))
-                        .withMessageContaining("circle 4: ");
+                assertIllegalArgument("circle 4: ", () -> bulk.many().call(world, handles, 6, values, stale));
                 assertThat(world.hash()).isEqualTo(hash);
             }
         }
@@ -302,7 +300,6 @@ class WorldBulkTest {
     }
 
     // ---- explosions
-    // ---------------------------------------------------------------------------------------------------
 
     @Test
     void anExplosionPushesWhatIsWithinReachAwayFromItByTheDistanceOfItsEdge() {
@@ -367,15 +364,12 @@ class WorldBulkTest {
         try (World world = world()) {
             world.add(5, 5, 0.5f, 1);
             long hash = world.hash();
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.explode(x, y, radius, impulse, falloff))
-                    .withMessageContaining("of the explosion");
+            assertIllegalArgument("of the explosion", () -> world.explode(x, y, radius, impulse, falloff));
             assertThat(world.hash()).isEqualTo(hash);
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("io.github.circles2d.WorldByIdTest#backends")
+    @OnEachBackend
     void everyBackEndHasTheSameBitsAfterBulkCallsAndExplosions(Backend backend) {
         try (World world = World.builder()
                         .bounds(0, 0, 10, 10)

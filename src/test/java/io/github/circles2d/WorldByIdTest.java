@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
@@ -7,20 +8,10 @@ import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Ids, and reads that lie by id: a circle stays where it is, whichever others are removed. */
 class WorldByIdTest {
     private static final float NONE = Float.NaN;
-
-    static Backend[] backends() {
-        Backend[] openCl = WorldBackendTest.openClBackends();
-        Backend[] all = new Backend[openCl.length + 1];
-        all[0] = Backend.JVM;
-        System.arraycopy(openCl, 0, all, 1, openCl.length);
-        return all;
-    }
 
     private static World world(Backend backend) {
         return World.builder()
@@ -73,15 +64,12 @@ class WorldByIdTest {
             long c = world.add(3, 3, 0.1f, 1);
             assertThat(world.handle(0)).isEqualTo(c).isNotEqualTo(a);
             for (int id : new int[] {-1, 2, Integer.MAX_VALUE, Integer.MIN_VALUE}) {
-                assertThatIllegalArgumentException()
-                        .isThrownBy(() -> world.handle(id))
-                        .withMessageContaining("" + id);
+                assertIllegalArgument("" + id, () -> world.handle(id));
             }
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("backends")
+    @OnEachBackend
     void aCircleStaysAtItsIdWhicheverOthersAreRemoved(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(1, 1.5f, 0.1f, 1);
@@ -142,8 +130,7 @@ class WorldByIdTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("backends")
+    @OnEachBackend
     void positionsRequestedAreShownOfTheCirclesThatAreStillThere(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(1, 1.5f, 0.1f, 1);
@@ -168,8 +155,7 @@ class WorldByIdTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("backends")
+    @OnEachBackend
     void aRestoreShowsOfARequestTheCirclesThatItLeavesThere(Backend backend) {
         try (World world = world(backend)) {
             world.add(1, 1.5f, 0.1f, 1);
@@ -189,8 +175,7 @@ class WorldByIdTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("backends")
+    @OnEachBackend
     void manyGapsInManyWordsAreWhereTheyBelong(Backend backend) {
         try (World world = world(backend)) {
             int n = 1000;
@@ -225,15 +210,11 @@ class WorldByIdTest {
             for (int k = 0; k < 65; k++) {
                 world.add(5, 5, 0.1f, 1);
             }
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.readById(new float[4 * 65 - 1], null))
-                    .withMessageContaining("260");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.readVelocitiesById(new float[2 * 65 - 1], null))
-                    .withMessageContaining("130");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.readById(new float[4 * 65], new long[1]))
-                    .withMessageContaining("living has room for 1 elements, but needs 2");
+            assertIllegalArgument("260", () -> world.readById(new float[4 * 65 - 1], null));
+            assertIllegalArgument("130", () -> world.readVelocitiesById(new float[2 * 65 - 1], null));
+            assertIllegalArgument(
+                    "living has room for 1 elements, but needs 2",
+                    () -> world.readById(new float[4 * 65], new long[1]));
             assertThatIllegalArgumentException().isThrownBy(() -> world.positionsById(new long[1]));
         }
     }

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.sun.management.ThreadMXBean;
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.lang.management.ManagementFactory;
@@ -13,8 +13,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles that come and go in great numbers while no step is made. */
 @Tag("each-jdk")
@@ -23,10 +21,6 @@ class WorldChurnTest {
     private static final int PAIRS = 1_000_000;
     private static final int LIVING = 40;
     private static final Scene SCENE = Scenes.thesis(200, Scenes.SEED);
-
-    static List<Device> devices() {
-        return TestDevices.all();
-    }
 
     private static World world(World.Builder builder) {
         World world = WorldScenes.world(SCENE, builder);
@@ -77,8 +71,7 @@ class WorldChurnTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aMillionCirclesThatComeAndGoBetweenStepsNeedNoMoreMemoryOnADeviceAndLeaveTheSameWorld(Device device) {
         try (World world = world(builder().device(device));
                 World jvm = world(builder())) {
@@ -93,8 +86,7 @@ class WorldChurnTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void placesOfCirclesThatWentAreTakenAgainWhateverHappensBetween(Device device) {
         try (World world = world(builder().device(device));
                 World jvm = world(builder())) {

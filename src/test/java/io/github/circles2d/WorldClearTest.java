@@ -7,12 +7,10 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Removing all circles is removing each of them in the order of the ids. */
 class WorldClearTest {
-    private static final String BACKENDS = "io.github.circles2d.WorldByIdTest#backends";
     private static final float STEP = 1 / 60f;
 
     private static World world(Backend backend) {
@@ -59,8 +57,7 @@ class WorldClearTest {
         world.setBounds(0.1f, 0, 10, 10);
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void itLeavesTheSameWorldAsRemovingEach(Backend backend) {
         for (boolean reports : new boolean[] {false, true}) {
             try (World world = world(backend);
@@ -86,8 +83,7 @@ class WorldClearTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void handlesAreStaleAndIdsAreFree(Backend backend) {
         try (World world = world(backend)) {
             long[] handles = new long[world.size()];
@@ -126,8 +122,7 @@ class WorldClearTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void allElseStays(Backend backend) {
         try (World world = world(backend)) {
             world.setGravity(1, -2);
@@ -148,7 +143,7 @@ class WorldClearTest {
 
     @Test
     void aWorldWithoutCirclesMayBeCleared() {
-        try (World world = World.builder().backend(Backend.JVM).build()) {
+        try (World world = WorldScenes.jvm().build()) {
             world.clear();
             world.step(STEP);
             world.clear();

@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.opencl.TestDevices;
@@ -61,9 +61,7 @@ class WorldContactsOfTest {
                     .isEqualTo(3);
             world.remove(above);
             assertThat(world.contactsOf(ball, partners, contacts)).isEqualTo(2);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.contactsOf(above, partners, contacts))
-                    .withMessageContaining("no circle has the handle");
+            assertIllegalArgument("no circle has the handle", () -> world.contactsOf(above, partners, contacts));
         }
     }
 

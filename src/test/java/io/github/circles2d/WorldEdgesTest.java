@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -31,7 +32,6 @@ class WorldEdgesTest {
     }
 
     // ---- wrapped
-    // -----------------------------------------------------------------------------------------------------
 
     @ParameterizedTest
     @CsvSource({"1, 0", "-1, 0", "0, 1", "0, -1", "-1.3, 0.7", "17, -23"})
@@ -420,7 +420,6 @@ class WorldEdgesTest {
     }
 
     // ---- open
-    // --------------------------------------------------------------------------------------------------------
 
     @Test
     void circlesGoOnBeyondTheBoundsAndMeetThere() {
@@ -495,7 +494,6 @@ class WorldEdgesTest {
     }
 
     // ---- both
-    // --------------------------------------------------------------------------------------------------------
 
     @Test
     void theBoundsOfAnAxisThatWrapsCannotBeMoved() {
@@ -503,9 +501,7 @@ class WorldEdgesTest {
                 WorldScenes.jvm().bounds(0, 0, 4, 4).edges(Edge.WRAP, Edge.WALL).build()) {
             world.setBounds(0, -1, 4, 5);
             assertThat(world.maxY()).isEqualTo(5f);
-            assertThatThrownBy(() -> world.setBounds(0, 0, 5, 4))
-                    .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessageContaining("an axis that wraps keeps its own");
+            assertIllegalArgument("an axis that wraps keeps its own", () -> world.setBounds(0, 0, 5, 4));
             assertThat(world.maxX()).isEqualTo(4f);
         }
     }
@@ -513,9 +509,7 @@ class WorldEdgesTest {
     @Test
     void circlesThatAreTooLargeForThePeriodAreRefused() {
         try (World world = wrapped().build()) {
-            assertThatThrownBy(() -> world.add(0, 3, 0.28f, 1, 0, 0))
-                    .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessageContaining("radius is 0.28, but must be from");
+            assertIllegalArgument("radius is 0.28, but must be from", () -> world.add(0, 3, 0.28f, 1, 0, 0));
             world.add(0, 3, 3 / 11f, 1, 0, 0);
             world.step(STEP);
         }
@@ -525,9 +519,8 @@ class WorldEdgesTest {
     void aPeriodThatIsTooShortForItsCoordinatesIsRefused() {
         World.Builder builder = WorldScenes.jvm().bounds(1e6f, 0, 1e6f + 10, 10);
         builder.edges(Edge.OPEN, Edge.WALL).build().close();
-        assertThatThrownBy(() -> builder.edges(Edge.WRAP, Edge.WALL).build())
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("an axis that wraps must have at least 61.03");
+        assertIllegalArgument("an axis that wraps must have at least 61.03", () -> builder.edges(Edge.WRAP, Edge.WALL)
+                .build());
         assertThatThrownBy(() -> builder.edges(null, Edge.WALL)).isInstanceOf(NullPointerException.class);
     }
 

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalState;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
@@ -168,9 +169,7 @@ class WorldErrorsTest {
             world.requestPositions();
             failing.put("requestPositions", OUT_OF_MEMORY.get(0));
             assertThatThrownBy(world::requestPositions).isSameAs(OUT_OF_MEMORY.get(0));
-            assertThatThrownBy(world::takePositions)
-                    .isInstanceOf(IllegalStateException.class)
-                    .hasMessageContaining("no positions have been requested");
+            assertIllegalState("no positions have been requested", world::takePositions);
         }
     }
 
@@ -352,7 +351,7 @@ class WorldErrorsTest {
     void theLogOfALostWorldEndsWithTheStepThatLostIt() throws IOException {
         ByteArrayOutputStream log = new ByteArrayOutputStream();
         try (World world = world();
-                World player = World.builder().backend(Backend.JVM).build()) {
+                World player = WorldScenes.jvm().build()) {
             Recording recording = new Recording(world, log, 1);
             world.step(STEP);
             failing.put("step", new IllegalStateException("lost"));

@@ -9,8 +9,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Worlds that report events while they grow from the default capacity have the same events and snapshots on every back end. */
 class WorldEventsGrowTest {
@@ -18,12 +16,7 @@ class WorldEventsGrowTest {
     private static final int SEEDS = 9;
     private static final int STEPS = 150;
 
-    static Backend[] openClBackends() {
-        return WorldBackendTest.openClBackends();
-    }
-
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     void pouredBallsHaveTheSameEventsAndSnapshots(Backend backend) {
         for (int seed = 0; seed < SEEDS; seed++) {
             try (World oracle = world(Backend.JVM);
@@ -44,8 +37,7 @@ class WorldEventsGrowTest {
     }
 
     /** Circles come and go, kinds and what is reported change, states are restored, and events are read seldom or by request. */
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void soHaveWorldsInWhichAnythingHappens(Backend backend) {
         for (int seed = 0; seed < TestScale.of(1, 3, SEEDS); seed++) {
@@ -54,8 +46,7 @@ class WorldEventsGrowTest {
     }
 
     /** The same with terrain, which grows, too, moves, and goes. */
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void soHaveWorldsWithTerrain(Backend backend) {
         for (int seed = 0; seed < TestScale.of(2, SEEDS); seed++) {

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -323,31 +324,15 @@ class WorldForcesTest {
     @Test
     void badValuesAreNamed() {
         long ball = world.add(100, 500, 1, 2);
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.setForce(ball, Float.NEGATIVE_INFINITY, 0))
-                .withMessageContaining("force x is -Infinity");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.applyForce(ball, 0, Float.NaN))
-                .withMessageContaining("force y is NaN");
+        assertIllegalArgument("force x is -Infinity", () -> world.setForce(ball, Float.NEGATIVE_INFINITY, 0));
+        assertIllegalArgument("force y is NaN", () -> world.applyForce(ball, 0, Float.NaN));
         assertThatIllegalArgumentException().isThrownBy(() -> world.applyForce(99, 0, 0));
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.kind(1).setGravityScale(1001))
-                .withMessageContaining("gravity scale is 1001");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.kind(1).setDamping(-1))
-                .withMessageContaining("damping is -1");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.kind(1).setGreatestSpeed(Float.NaN))
-                .withMessageContaining("greatest speed is NaN");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.setGravityScale(ball, -1001))
-                .withMessageContaining("gravity scale is -1001");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.setDamping(ball, -1))
-                .withMessageContaining("damping is -1");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.setGreatestSpeed(ball, -1))
-                .withMessageContaining("greatest speed is -1");
+        assertIllegalArgument("gravity scale is 1001", () -> world.kind(1).setGravityScale(1001));
+        assertIllegalArgument("damping is -1", () -> world.kind(1).setDamping(-1));
+        assertIllegalArgument("greatest speed is NaN", () -> world.kind(1).setGreatestSpeed(Float.NaN));
+        assertIllegalArgument("gravity scale is -1001", () -> world.setGravityScale(ball, -1001));
+        assertIllegalArgument("damping is -1", () -> world.setDamping(ball, -1));
+        assertIllegalArgument("greatest speed is -1", () -> world.setGreatestSpeed(ball, -1));
         assertThatIllegalArgumentException().isThrownBy(() -> world.setDamping(99, 0));
         assertThatIllegalArgumentException().isThrownBy(() -> world.greatestSpeed(99));
         assertThat(world.kind(1).gravityScale()).isEqualTo(1);

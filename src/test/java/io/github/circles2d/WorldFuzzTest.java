@@ -275,7 +275,6 @@ class WorldFuzzTest {
         }
 
         // ---- terrain
-        // -----------------------------------------------------------------------------------------------
 
         private void changeTerrain() {
             Terrain terrain = world.terrain();
@@ -315,7 +314,6 @@ class WorldFuzzTest {
         }
 
         // ---- joints
-        // ------------------------------------------------------------------------------------------------
 
         private void changeJoints() {
             Joints joints = world.joints();
@@ -1084,7 +1082,6 @@ class WorldFuzzTest {
         }
 
         // ---- values
-        // -------------------------------------------------------------------------------------------------
 
         private float value(float low, float high) {
             return random.nextInt(150) == 0

@@ -1,17 +1,15 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.ByteBuffer;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** A circle that grows or shrinks over steps: its radius, and where that is saved. */
 class WorldGrowthTest {
-    private static final String BACKENDS = "io.github.circles2d.WorldByIdTest#backends";
     private static final float STEP = 1 / 64f;
 
     private static World world(Backend backend) {
@@ -31,8 +29,7 @@ class WorldGrowthTest {
         return RecordedCallsTest.snapshot(world);
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void theRadiusChangesByEqualPartsAndEndsExactly(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(3, 3, 0.5f, 2);
@@ -55,8 +52,7 @@ class WorldGrowthTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void severalStepsInOneCallAreTheSameSteps(Backend backend) {
         try (World world = world(backend);
                 World same = world()) {
@@ -161,8 +157,7 @@ class WorldGrowthTest {
         assertThat(hashes).doesNotHaveDuplicates();
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aGrowthGoesOnAfterARestoreAndInAFrameThatComesBack(Backend backend) {
         try (World world = world(backend);
                 World other = world()) {
@@ -189,12 +184,8 @@ class WorldGrowthTest {
         try (World world = world()) {
             long a = world.add(3, 3, 0.5f, 1);
             ByteBuffer before = snapshot(world);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.grow(a, Float.NaN, 5))
-                    .withMessageContaining("radius is NaN");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.grow(a, 5.1f, 5))
-                    .withMessageContaining("radius is 5.1");
+            assertIllegalArgument("radius is NaN", () -> world.grow(a, Float.NaN, 5));
+            assertIllegalArgument("radius is 5.1", () -> world.grow(a, 5.1f, 5));
             for (int steps : new int[] {0, -1, 100_001, Integer.MIN_VALUE}) {
                 assertThatIllegalArgumentException()
                         .isThrownBy(() -> world.grow(a, 1, steps))
@@ -202,9 +193,7 @@ class WorldGrowthTest {
             }
             assertThat(snapshot(world)).isEqualTo(before);
             world.grow(a, 4, 100_000);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.setBounds(0, 0, 6, 6))
-                    .withMessageContaining("the radius to which a circle grows is 4.0");
+            assertIllegalArgument("the radius to which a circle grows is 4.0", () -> world.setBounds(0, 0, 6, 6));
             world.setRadius(a, 0.5f);
             world.setBounds(0, 0, 6, 6);
         }

@@ -9,8 +9,6 @@ import java.nio.ByteBuffer;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** A world with joints that is saved, restored, recorded or rolled back goes on as if nothing had been. */
 class WorldJointStatesTest {
@@ -27,10 +25,6 @@ class WorldJointStatesTest {
                 .bounds(0, 0, 60, 40)
                 .edges(x, Edge.WALL)
                 .gravity(0, -10);
-    }
-
-    static Backend[] backends() {
-        return RewindTest.backends();
     }
 
     /** A rope that breaks, a ring of springs, a bridge, a hub with more spokes than colours, pins on a body that moves; balls that fall on all that. */
@@ -169,8 +163,7 @@ class WorldJointStatesTest {
     }
 
     /** It goes there and back, and is rolled back there. */
-    @ParameterizedTest
-    @MethodSource("backends")
+    @OnEachBackend
     @Tag("long")
     void aSnapshotGoesOnTheSameOnEveryBackEnd(Backend backend) {
         try (World world = world(Edge.WRAP);

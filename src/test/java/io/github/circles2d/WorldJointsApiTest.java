@@ -64,7 +64,6 @@ class WorldJointsApiTest {
     }
 
     // ---- definitions
-    // -------------------------------------------------------------------------------------------------
 
     @Test
     void definitionsHaveWhatTheyWereGiven() {
@@ -154,7 +153,6 @@ class WorldJointsApiTest {
     }
 
     // ---- joints come
-    // -------------------------------------------------------------------------------------------------
 
     @Test
     void circlesThatCannotBeHeldAreRefused() {
@@ -356,7 +354,6 @@ class WorldJointsApiTest {
     }
 
     // ---- handles
-    // -----------------------------------------------------------------------------------------------------
 
     @Test
     void handlesAreStaleOnceTheirJointsHaveGone() {
@@ -511,7 +508,6 @@ class WorldJointsApiTest {
     }
 
     // ---- joints change
-    // -----------------------------------------------------------------------------------------------
 
     @Test
     void whatIsSetIsInTheDefinition() {
@@ -626,7 +622,6 @@ class WorldJointsApiTest {
     }
 
     // ---- where they are, and what they do
-    // ----------------------------------------------------------------------------
 
     /** Pressed against a floor for ever, it swings about the place under its anchor; it must neither stand still nor get faster and faster. */
     @Test
@@ -806,7 +801,6 @@ class WorldJointsApiTest {
     }
 
     // ---- rules of all calls
-    // ------------------------------------------------------------------------------------------
 
     private List<Consumer<Joints>> allCalls(long joint, TerrainBody body) {
         return List.of(

@@ -48,7 +48,6 @@ class WorldJointsGoneTest {
     }
 
     // ---- with what they hold
-    // -----------------------------------------------------------------------------------------
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
@@ -194,7 +193,6 @@ class WorldJointsGoneTest {
     }
 
     // ---- they break
-    // --------------------------------------------------------------------------------------------------
 
     @Test
     void aJointBreaksByMoreForceThanItBears() {

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -10,8 +11,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Calls on joints of bodies that are pushed do what they say; these joints are state. */
 class WorldJointsOfBodiesTest {
@@ -297,9 +296,7 @@ class WorldJointsOfBodiesTest {
     }
 
     private static void refused(String why, Consumer<Joints> call, Joints joints) {
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> call.accept(joints))
-                .withMessageContaining(why);
+        assertIllegalArgument(why, () -> call.accept(joints));
     }
 
     @Test
@@ -328,8 +325,7 @@ class WorldJointsOfBodiesTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
+    @OnEachOpenClBackend
     void soItIsOnDevices(Backend backend) {
         for (int phase = 0; phase < 5; phase++) {
             try (World one = breaking(phase, Backend.JVM);

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -168,18 +169,10 @@ class WorldKindsTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> world.kind(256))
                 .withMessage("the kind is 256, but must be from 0 to 255");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.setKind(ball, -1))
-                .withMessageContaining("-1");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.add(1, 1, 1, 1, 0, 0, 300))
-                .withMessageContaining("300");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.setResponse(0, 1000, Response.SOLID))
-                .withMessageContaining("1000");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.kind(3).setRestitution(1.5f))
-                .withMessageContaining("1.5");
+        assertIllegalArgument("-1", () -> world.setKind(ball, -1));
+        assertIllegalArgument("300", () -> world.add(1, 1, 1, 1, 0, 0, 300));
+        assertIllegalArgument("1000", () -> world.setResponse(0, 1000, Response.SOLID));
+        assertIllegalArgument("1.5", () -> world.kind(3).setRestitution(1.5f));
         assertThatIllegalArgumentException().isThrownBy(() -> world.setGroup(12345, 1));
         assertThat(world.size()).isEqualTo(1);
     }

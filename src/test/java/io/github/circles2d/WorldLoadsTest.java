@@ -1,26 +1,23 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** By how many circles, walls, pieces and bodies a circle is pressed, and how hard. */
 class WorldLoadsTest {
     private static final float GRAVITY = 10;
 
     private static World column() {
-        World world = World.builder()
+        World world = WorldScenes.jvm()
                 .bounds(0, 0, 10, 20)
                 .gravity(0, -GRAVITY)
                 .restitution(0)
                 .threads(1)
-                .backend(Backend.JVM)
                 .build();
         world.add(5, 1, 1, 2);
         world.add(5, 3, 1, 3);
@@ -130,21 +127,13 @@ class WorldLoadsTest {
     @Test
     void anArrayThatIsTooShortIsRefused() {
         try (World world = column()) {
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.readLoadsById(new float[5], null))
-                    .withMessageContaining("loads has room for 5 elements, but needs 6");
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.readLoadsById(new float[6], new long[0]))
-                    .withMessageContaining("living");
+            assertIllegalArgument(
+                    "loads has room for 5 elements, but needs 6", () -> world.readLoadsById(new float[5], null));
+            assertIllegalArgument("living", () -> world.readLoadsById(new float[6], new long[0]));
         }
     }
 
-    static Backend[] openClBackends() {
-        return WorldBackendTest.openClBackends();
-    }
-
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     void loadsAreTheSameToTheBitOnEveryBackEnd(Backend backend) {
         Scene scene = Scenes.thesis(500, Scenes.SEED);
         try (World world = WorldScenes.world(

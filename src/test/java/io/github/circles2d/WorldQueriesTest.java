@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalState;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
@@ -41,7 +42,6 @@ class WorldQueriesTest {
     }
 
     // ---- what is found
-    // -----------------------------------------------------------------------------------------------
 
     @ParameterizedTest
     @MethodSource("backEnds")
@@ -203,7 +203,6 @@ class WorldQueriesTest {
     }
 
     // ---- masks
-    // -------------------------------------------------------------------------------------------------------
 
     @ParameterizedTest
     @MethodSource("backEnds")
@@ -312,7 +311,6 @@ class WorldQueriesTest {
     }
 
     // ---- batches
-    // -----------------------------------------------------------------------------------------------------
 
     @Test
     void aBatchAnswersAsSingleQueriesDo() {
@@ -459,7 +457,6 @@ class WorldQueriesTest {
     }
 
     // ---- misuse
-    // ------------------------------------------------------------------------------------------------------
 
     @ParameterizedTest
     @ValueSource(floats = {Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY})
@@ -573,9 +570,7 @@ class WorldQueriesTest {
         assertThat(world.queries()).isSameAs(queries);
         world.close();
         assertThatIllegalStateException().isThrownBy(() -> queries.pick(0, 0)).withMessageContaining("closed");
-        assertThatIllegalStateException()
-                .isThrownBy(() -> queries.rayCast(new float[0], 0, handles, null))
-                .withMessageContaining("closed");
+        assertIllegalState("closed", () -> queries.rayCast(new float[0], 0, handles, null));
     }
 
     @Test

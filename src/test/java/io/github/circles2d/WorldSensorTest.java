@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.within;
 
@@ -249,9 +249,7 @@ class WorldSensorTest {
         world.remove(near);
         assertThat(world.touching(BODY, SENSOR, pairs)).isEqualTo(2);
         assertThat(pairs).startsWith(other, sensor, beside, sensor);
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.touching(256, 0, pairs))
-                .withMessageContaining("256");
+        assertIllegalArgument("256", () -> world.touching(256, 0, pairs));
     }
 
     @Test
@@ -276,18 +274,10 @@ class WorldSensorTest {
 
     @Test
     void whatIsRefused() {
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.report(0, 0, Events.WALL))
-                .withMessageContaining("8");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.report(-1, 0, 0))
-                .withMessageContaining("-1");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.report(0, 256, 0))
-                .withMessageContaining("256");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.reportWalls(0, 16))
-                .withMessageContaining("16");
+        assertIllegalArgument("8", () -> world.report(0, 0, Events.WALL));
+        assertIllegalArgument("-1", () -> world.report(-1, 0, 0));
+        assertIllegalArgument("256", () -> world.report(0, 256, 0));
+        assertIllegalArgument("16", () -> world.reportWalls(0, 16));
     }
 
     @Test

@@ -455,7 +455,6 @@ class WorldSleepTest {
     }
 
     // ---- joints
-    // ----------------------------------------------------------------------------------------------------------
 
     private static World.Builder wide() {
         return WorldScenes.jvm().bounds(-50, -50, 50, 50).gravity(0, -10).sleep(true);

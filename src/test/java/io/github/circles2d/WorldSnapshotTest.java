@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
@@ -212,9 +213,7 @@ class WorldSnapshotTest {
     void withTooLittleRoomWritesNothing() {
         try (World world = settled()) {
             ByteBuffer small = ByteBuffer.allocate(world.snapshotBytes() - 1);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.snapshot(small))
-                    .withMessageContaining("room");
+            assertIllegalArgument("room", () -> world.snapshot(small));
             assertThat(small.position()).isZero();
             assertThat(small.array()).containsOnly(0);
             ByteBuffer readOnly = ByteBuffer.allocate(world.snapshotBytes()).asReadOnlyBuffer();

@@ -16,7 +16,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What static circles sense of each other and of bodies, if a kind asks for it. */
@@ -328,7 +327,6 @@ class WorldStaticSensorTest {
     }
 
     // ---- random scenes against a look at all pairs
-    // -------------------------------------------------------------------
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4})
@@ -338,8 +336,7 @@ class WorldStaticSensorTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void touchingPairsAreThoseOfALookAtAllOnEachBackEnd(Backend backend) {
         for (int seed : TestScale.EXHAUSTIVE ? new int[] {1, 4} : new int[] {4}) {

@@ -202,7 +202,6 @@ class WorldTerrainEventsTest {
     }
 
     // ---- sensors
-    // -----------------------------------------------------------------------------------------------------
 
     private void makeGates() {
         world.kind(GATE).setSensor(true);
@@ -283,7 +282,6 @@ class WorldTerrainEventsTest {
     }
 
     // ---- kinds
-    // -------------------------------------------------------------------------------------------------------
 
     @Test
     void onlyPairsOfKindsThatWereAskedForReport() {
@@ -355,15 +353,13 @@ class WorldTerrainEventsTest {
     }
 
     // ---- many
-    // --------------------------------------------------------------------------------------------------------
 
     /** A heap that grows while it reports, on terrain that grows, too. */
     private static List<String> heap(int threads) {
         List<String> all = new ArrayList<>();
-        try (World heap = World.builder()
+        try (World heap = WorldScenes.jvm()
                 .bounds(-60, -10, 60, 200)
                 .gravity(0, -10)
-                .backend(Backend.JVM)
                 .threads(threads)
                 .build()) {
             Terrain ground = heap.terrain();

@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.geom.Line2D;
@@ -259,18 +259,10 @@ class WorldTerrainQueriesTest {
     @Test
     void whatIsRefusedNamesTheValue() {
         terrain.addSegment(0, 0, 1, 0);
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> queries.rayCast(0, Float.NaN, 1, 0, null))
-                .withMessageContaining("y");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> queries.nearest(0, 0, 1, 2, new long[2], new float[9]))
-                .withMessageContaining("10");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> queries.pick(new float[] {0, 0, 0, Float.NaN}, 2, 1, new long[2]))
-                .withMessageContaining("query 1");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> queries.circleCast(0, 0, -1, 1, 0, null))
-                .withMessageContaining("radius");
+        assertIllegalArgument("y", () -> queries.rayCast(0, Float.NaN, 1, 0, null));
+        assertIllegalArgument("10", () -> queries.nearest(0, 0, 1, 2, new long[2], new float[9]));
+        assertIllegalArgument("query 1", () -> queries.pick(new float[] {0, 0, 0, Float.NaN}, 2, 1, new long[2]));
+        assertIllegalArgument("radius", () -> queries.circleCast(0, 0, -1, 1, 0, null));
     }
 
     @Test

@@ -16,7 +16,7 @@ class WorldTerrainTest {
     private static final float PI = (float) Math.PI;
 
     private static World world() {
-        return World.builder().bounds(0, 0, 100, 100).backend(Backend.JVM).build();
+        return WorldScenes.jvm().bounds(0, 0, 100, 100).build();
     }
 
     @Test
@@ -225,10 +225,9 @@ class WorldTerrainTest {
 
     @Test
     void acrossTheSeamABodyCarriesTheShortWay() {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 100, 100)
                 .edges(Edge.WRAP, Edge.WRAP)
-                .backend(Backend.JVM)
                 .build()) {
             TerrainBody body = world.terrain().addBody(99, 99, 0);
             body.setAngularVelocity(2);
@@ -272,10 +271,9 @@ class WorldTerrainTest {
 
     @Test
     void onAnAxisThatWrapsAPlaceOfABodyIsInsideAndTheShortWayFromItsPivot() {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 100, 100)
                 .edges(Edge.WRAP, Edge.WALL)
-                .backend(Backend.JVM)
                 .build()) {
             TerrainBody body = world.terrain().addBody(98, 50, 0);
             assertThat(body.worldX(5, 0)).isEqualTo(3);
@@ -288,11 +286,8 @@ class WorldTerrainTest {
 
     @Test
     void aRopeHangsOnTheMovingBodyThatARayHasHit() {
-        try (World world = World.builder()
-                .bounds(0, 0, 100, 100)
-                .gravity(0, -10)
-                .backend(Backend.JVM)
-                .build()) {
+        try (World world =
+                WorldScenes.jvm().bounds(0, 0, 100, 100).gravity(0, -10).build()) {
             TerrainBody lift = world.terrain().addBody(50, 60, 0.3f);
             lift.addSegment(-20, 0, 20, 0);
             lift.setVelocity(5, 3);
@@ -349,10 +344,9 @@ class WorldTerrainTest {
 
     @Test
     void onAnAxisThatWrapsAPieceIsAtMostHalfAPeriodLong() {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 100, 100)
                 .edges(Edge.WRAP, Edge.OPEN)
-                .backend(Backend.JVM)
                 .build()) {
             Terrain terrain = world.terrain();
             terrain.addSegment(80, 0, 130, 0);
@@ -390,12 +384,11 @@ class WorldTerrainTest {
     }
 
     private static float[] ridden(float pivot) {
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 40, 40)
                 .edges(Edge.WRAP, Edge.WALL)
                 .friction(0.8f)
                 .gravity(0, -10)
-                .backend(Backend.JVM)
                 .build()) {
             TerrainBody table = world.terrain().addBody(pivot, 20, 0);
             table.addSegment(-6, 1, 6, 1, 0.2f, 0);

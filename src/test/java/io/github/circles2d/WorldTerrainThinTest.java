@@ -8,11 +8,7 @@ import org.junit.jupiter.api.Test;
 /** Solid terrain that is thinner than a circle: whoever goes around its end is on the other side, and is held by none of the two. */
 class WorldTerrainThinTest {
     private static World world() {
-        return World.builder()
-                .bounds(-10, -10, 10, 10)
-                .gravity(0, 0)
-                .backend(Backend.JVM)
-                .build();
+        return WorldScenes.jvm().bounds(-10, -10, 10, 10).gravity(0, 0).build();
     }
 
     /** It passes the upper left corner at a distance, and nothing touches it. */

@@ -213,7 +213,6 @@ class WorldTerrainTilesTest {
     }
 
     // ---- what sticks out is felt
-    // -------------------------------------------------------------------------------------------------------------
 
     /** A ball that slides over the last edge falls around it as if there were one box. */
     @ParameterizedTest

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalState;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
@@ -393,9 +394,7 @@ class WorldTest {
     @Test
     void positionsAreTakenOnceARequestAndTheLastRequestCounts() {
         try (World world = builder().build()) {
-            Runnable refused = () -> assertThatIllegalStateException()
-                    .isThrownBy(world::takePositions)
-                    .withMessageContaining("requestPositions");
+            Runnable refused = () -> assertIllegalState("requestPositions", world::takePositions);
             refused.run();
             world.requestPositions();
             assertThat(world.takePositions().remaining()).isZero();

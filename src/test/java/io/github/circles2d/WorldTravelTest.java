@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -192,9 +193,7 @@ class WorldTravelTest {
 
     @Test
     void aPlaceOutsideIsRefused() {
-        assertThatThrownBy(() -> world.setPosition(paddle, 41, 10))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("41");
+        assertIllegalArgument("41", () -> world.setPosition(paddle, 41, 10));
         assertThatThrownBy(() -> world.teleport(paddle, Float.NaN, 10)).isInstanceOf(IllegalArgumentException.class);
         world.setVelocity(paddle, 0, 0);
         world.step(STEP);

@@ -18,12 +18,9 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** The calls by which circles turn, grip and roll: what they take, what they keep, and what a world that never turned pays for them. */
 class WorldTurningTest {
-    private static final String BACKENDS = "io.github.circles2d.WorldByIdTest#backends";
     private static final float STEP = 1 / 60f;
     private static final float TURN = (float) (2 * Math.PI);
 
@@ -43,7 +40,6 @@ class WorldTurningTest {
     }
 
     // ---- values
-    // -----------------------------------------------------------------------------------------------------
 
     @Test
     void whatIsSetIsRead() {
@@ -229,7 +225,6 @@ class WorldTurningTest {
     }
 
     // ---- motion
-    // -----------------------------------------------------------------------------------------------------
 
     @Test
     void aCircleTurnsByItsAngularVelocityAndKeepsItToTheBit() {
@@ -343,10 +338,8 @@ class WorldTurningTest {
     }
 
     // ---- many circles
-    // -----------------------------------------------------------------------------------------------------
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void readsOfAllAreThoseOfEach(Backend backend) {
         try (World world =
                 World.builder().bounds(0, 0, 100, 100).backend(backend).build()) {
@@ -412,7 +405,6 @@ class WorldTurningTest {
     }
 
     // ---- state
-    // -----------------------------------------------------------------------------------------------------
 
     @Test
     void aWorldThatNeverTurnedKeepsNothingForIt() {
@@ -581,8 +573,7 @@ class WorldTurningTest {
     }
 
     /** A world that has turned, and then is made one that has not, has nothing left of it. */
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aStateThatNeverTurnedGoesOnAsInAWorldThatNeverDid(Backend backend) {
         Scene scene = scene();
         try (World straight = WorldScenes.world(scene, WorldScenes.builder(scene));
@@ -625,8 +616,7 @@ class WorldTurningTest {
     }
 
     /** Its circles have not turned yet, so that a snapshot has only their surfaces. */
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     void aWorldThatIsToGripIsRestoredIntoOneThatNeverTurned(Backend backend) {
         try (World gripping = rolling(1);
                 World target = World.builder().backend(backend).build()) {
@@ -658,8 +648,7 @@ class WorldTurningTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource(BACKENDS)
+    @OnEachBackend
     @Tag("long")
     void aGameThatRollsBackComesToTheSameBits(Backend backend) {
         try (World straight = rolling(1);

@@ -8,18 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** What comes and goes between two steps leaves no trace, on any back end, whatever takes it away. */
 class WorldUnseenTest {
     private static final float STEP = 1 / 60f;
     private static final int STEPS = 60;
     private static final int ALL = Events.BEGIN | Events.HIT | Events.END | Events.WALL;
-
-    static Backend[] openClBackends() {
-        return WorldBackendTest.openClBackends();
-    }
 
     /** What a world has, and what comes that no step sees. */
     private enum Scene {
@@ -178,22 +172,19 @@ class WorldUnseenTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void piecesThatNoStepHasSeenLeaveNoTrace(Backend backend) {
         compare(Scene.TERRAIN, backend);
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void jointsThatNoStepHasSeenLeaveNoTrace(Backend backend) {
         compare(Scene.PINNED, backend);
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void piecesThatNoStepHasSeenLeaveJointsAlone(Backend backend) {
         compare(Scene.CHAIN, backend);
@@ -218,8 +209,7 @@ class WorldUnseenTest {
         public void restore(ByteBuffer from) {}
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void aRollbackUndoesThemToo(Backend backend) {
         for (Scene scene : Scene.values()) {
@@ -245,8 +235,7 @@ class WorldUnseenTest {
     }
 
     /** A device has no room for the ids of circles that have come since its last step, and no pairs of theirs. */
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void circlesThatNoStepHasSeenGoFromAWorldThatReports(Backend backend) {
         try (World world = world(Scene.PINNED, backend);
@@ -274,8 +263,7 @@ class WorldUnseenTest {
     }
 
     /** What a device knows of the walls that are reported is that of the edges that there are. */
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void wallsOfARestoredStateAreReported(Backend backend) {
         List<List<Event>> all = new ArrayList<>();
@@ -309,8 +297,7 @@ class WorldUnseenTest {
         checkZeros(Backend.JVM);
     }
 
-    @ParameterizedTest
-    @MethodSource("openClBackends")
+    @OnEachOpenClBackend
     @Tag("long")
     void onADeviceItIsTheSame(Backend backend) {
         checkZeros(backend);

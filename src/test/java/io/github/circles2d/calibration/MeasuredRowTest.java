@@ -1,5 +1,6 @@
 package io.github.circles2d.calibration;
 
+import static io.github.circles2d.Refusals.assertIllegalState;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
@@ -104,14 +105,12 @@ class MeasuredRowTest {
     void aRowThatFallsOrIsWideForGoodIsRefusedWithItsFigures() {
         give(1_000, millis(4));
         give(3_000, millis(2));
-        assertThatIllegalStateException()
-                .isThrownBy(() -> measure(1_000, 3_000))
-                .withMessageContaining("1,000 circles took 4.00 ms and 3,000 took 2.00, 0.500 times as long");
+        assertIllegalState(
+                "1,000 circles took 4.00 ms and 3,000 took 2.00, 0.500 times as long", () -> measure(1_000, 3_000));
         give(1_000, new FrameTimes(1, 2, 5));
-        assertThatIllegalStateException()
-                .isThrownBy(() -> measure(1_000))
-                .withMessageContaining(
-                        "the middle half of the frames of 1,000 circles took 1.00 to 5.00 ms, more than 2.00 times apart");
+        assertIllegalState(
+                "the middle half of the frames of 1,000 circles took 1.00 to 5.00 ms, more than 2.00 times apart",
+                () -> measure(1_000));
     }
 
     @Test

@@ -114,7 +114,6 @@ final class JointTable extends Table {
     }
 
     // ---- what joints do
-    // -----------------------------------------------------------------------------------------------
 
     /** Any joint, and things that it may have. */
     static Value joint(Draw draw) {

@@ -1,8 +1,8 @@
 package io.github.circles2d.fuzz;
 
-import io.github.circles2d.Backend;
 import io.github.circles2d.Joint;
 import io.github.circles2d.World;
+import io.github.circles2d.WorldScenes;
 import java.nio.ByteBuffer;
 
 /** Makes worlds ready for all that programs may need of a device. */
@@ -16,8 +16,7 @@ interface Ready {
      */
     Ready FOR_ALL = world -> {
         ByteBuffer own = snapshot(world);
-        try (World all = World.builder()
-                .backend(Backend.JVM)
+        try (World all = WorldScenes.jvm()
                 .threads(1)
                 .friction(0.5f)
                 .greatestPushOutSpeed(7)

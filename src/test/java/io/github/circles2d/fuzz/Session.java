@@ -112,7 +112,6 @@ final class Session implements AutoCloseable {
     }
 
     // ---- a call
-    // ------------------------------------------------------------------------------------------------------
 
     /** Makes a call in each world; returns whether it has been taken. */
     private boolean run(Line line) throws Throwable {
@@ -203,7 +202,6 @@ final class Session implements AutoCloseable {
     }
 
     // ---- after a step
-    // ------------------------------------------------------------------------------------------------
 
     /** Compares what can be read after a step. Reads settle a world, so each but the hash is left out at times. */
     private void observe() throws Throwable {
@@ -337,7 +335,6 @@ final class Session implements AutoCloseable {
     }
 
     // ---- at the end
-    // --------------------------------------------------------------------------------------------------
 
     private void end() throws Throwable {
         compare("the hash at the end", player -> player.world.hash());

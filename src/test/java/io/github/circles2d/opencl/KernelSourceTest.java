@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -60,25 +61,19 @@ class KernelSourceTest {
         Files.writeString(folder.resolve("A.cl"), "// uses: B.cl\n");
         Files.writeString(folder.resolve("B.cl"), "// uses: A.cl\n");
         System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
-        assertThatThrownBy(() -> KernelSource.of("Top.cl"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("ring: A.cl uses B.cl uses A.cl");
+        assertIllegalArgument("ring: A.cl uses B.cl uses A.cl", () -> KernelSource.of("Top.cl"));
     }
 
     @Test
     void aFileThatIsUsedButAbsentIsNamedWithItsUser(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("A.cl"), "// uses: Absent.cl\n");
         System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
-        assertThatThrownBy(() -> KernelSource.of("A.cl"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("Absent.cl, which A.cl uses");
+        assertIllegalArgument("Absent.cl, which A.cl uses", () -> KernelSource.of("A.cl"));
     }
 
     @Test
     void twoTextsOfOneNameAreRefused() {
-        assertThatThrownBy(() -> KernelSource.ofText("text", "a").and(KernelSource.ofText("text", "b")))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("text");
+        assertIllegalArgument("text", () -> KernelSource.ofText("text", "a").and(KernelSource.ofText("text", "b")));
     }
 
     @Test
@@ -117,9 +112,7 @@ class KernelSourceTest {
 
     @Test
     void aMissingFileIsNamed() {
-        assertThatThrownBy(() -> KernelSource.of("Absent.cl"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("Absent.cl");
+        assertIllegalArgument("Absent.cl", () -> KernelSource.of("Absent.cl"));
     }
 
     @Test

@@ -1,7 +1,7 @@
 package io.github.circles2d.opencl;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Set;
 import org.junit.jupiter.api.Tag;
@@ -67,14 +67,10 @@ class ReachableNamesTest {
 
     @Test
     void whatCannotBeReadIsRefused() {
-        assertThatThrownBy(() -> reached("kernel void run() {}\n", "other"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("no function other");
+        assertIllegalArgument("no function other", () -> reached("kernel void run() {}\n", "other"));
         String branches =
                 "#ifdef A\nint f(int a) {\n#else\nint f(float a) {\n#endif\nreturn 0; }\nkernel void run() {}\n";
-        assertThatThrownBy(() -> reached(branches, "run"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("'f' has no end");
+        assertIllegalArgument("'f' has no end", () -> reached(branches, "run"));
         assertThat(reached("kernel void run() { f(); }\n#define LAST \\", "run"))
                 .contains("f");
     }

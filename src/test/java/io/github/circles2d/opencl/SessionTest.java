@@ -1,5 +1,7 @@
 package io.github.circles2d.opencl;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.Refusals.assertIllegalState;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
@@ -11,8 +13,6 @@ import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 @Tag("each-jdk")
 class SessionTest {
@@ -23,12 +23,7 @@ class SessionTest {
                     + "    if (i < (size_t) count) data[i] *= factor;\n"
                     + "}\n");
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void kernelsComputeOnWhatWasWrittenAndReadsSeeTheResult(Device device) {
         try (Session session = Session.open(device)) {
             int count = 3_000_001; // more than one piece of staging memory, not a multiple of a work-group
@@ -52,8 +47,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aKernelRunsInWorkGroupsOfTheSizeThatItRequires(Device device) {
         KernelSource source = KernelSource.ofText(
                 "sizes",
@@ -72,8 +66,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void anArgumentWithoutABufferIsNull(Device device) {
         KernelSource source = KernelSource.ofText(
                 "null", "kernel void tell(global int *data, global int *other) { data[0] = other == 0 ? 1 : 2; }\n");
@@ -90,8 +83,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void intsGoThereAndBackAtAnOffsetFromHeapAndDirectBuffers(Device device) {
         try (Session session = Session.open(device)) {
             DeviceBuffer data = session.allocate("data", 32);
@@ -106,8 +98,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aCopyBesideTheKernelsSeesWhatWasEnqueuedBeforeAndLeavesTheRestAsItIs(Device device) {
         try (Session session = Session.open(device);
                 HostBuffer host = session.hostBuffer(64)) {
@@ -131,8 +122,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aCopyBesideTheKernelsIsCheckedAndClosedWithTheSession(Device device) {
         Session session = Session.open(device);
         CopyQueue copies = session.copyQueue();
@@ -151,8 +141,7 @@ class SessionTest {
         assertThatThrownBy(copies::finish).isInstanceOf(IllegalStateException.class);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void memoryThatTheDriverDoesNotKnowIsReadAndWrittenFromItsPositionOn(Device device) {
         try (Session session = Session.open(device)) {
             DeviceBuffer buffer = session.allocate("b", 64);
@@ -172,30 +161,25 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void memoryThatTheDriverDoesNotKnowMustBeDirectAndFit(Device device) {
         try (Session session = Session.open(device)) {
             DeviceBuffer buffer = session.allocate("b", 64);
-            assertThatThrownBy(() -> buffer.readPageable(ByteBuffer.allocate(8)))
-                    .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessageContaining("direct");
+            assertIllegalArgument("direct", () -> buffer.readPageable(ByteBuffer.allocate(8)));
             assertThatThrownBy(() -> buffer.writePageable(ByteBuffer.allocateDirect(65)))
                     .isInstanceOf(IndexOutOfBoundsException.class)
                     .hasMessageContaining("65")
                     .hasMessageContaining("64");
-            assertThatThrownBy(() ->
-                            buffer.readPageable(ByteBuffer.allocateDirect(8).asReadOnlyBuffer()))
-                    .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessageContaining("read-only");
+            assertIllegalArgument(
+                    "read-only",
+                    () -> buffer.readPageable(ByteBuffer.allocateDirect(8).asReadOnlyBuffer()));
             buffer.close();
             assertThatThrownBy(() -> buffer.readPageable(ByteBuffer.allocateDirect(8)))
                     .isInstanceOf(IllegalStateException.class);
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void copiesBetweenBuffersAreCheckedAndExact(Device device) {
         try (Session session = Session.open(device)) {
             DeviceBuffer source = session.allocate("source", 16);
@@ -220,8 +204,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void transfersOutsideEitherSideAreRefused(Device device) {
         try (Session session = Session.open(device)) {
             DeviceBuffer data = session.allocate("data", 16);
@@ -238,8 +221,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void requestsBeyondTheDevicesMemoryAreRefusedBeforeAllocation(Device device) {
         try (Session session = Session.open(device)) {
             assertThatThrownBy(() -> session.allocate("huge", device.memoryBytes() + 1))
@@ -253,8 +235,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theByteBudgetFollowsAllocationAndClosing(Device device) {
         try (Session session = Session.open(device)) {
             DeviceBuffer first = session.allocate("first", 1000);
@@ -264,14 +245,11 @@ class SessionTest {
             first.close();
             empty.close();
             assertThat(session.allocatedBytes()).isZero();
-            assertThatThrownBy(() -> first.read(FloatBuffer.allocate(1)))
-                    .isInstanceOf(IllegalStateException.class)
-                    .hasMessageContaining("first");
+            assertIllegalState("first", () -> first.read(FloatBuffer.allocate(1)));
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void closingTwiceIsFineAndUseAfterwardsIsRefused(Device device) {
         Session session = Session.open(device);
         DeviceBuffer data = session.allocate("data", 16);
@@ -285,8 +263,7 @@ class SessionTest {
         assertThatThrownBy(() -> kernel.run(1)).isInstanceOf(IllegalStateException.class);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aFailedBuildNamesFileAndLine(Device device) {
         try (Session session = Session.open(device)) {
             KernelSource broken =
@@ -302,8 +279,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void whoeverWatchesIsToldOfACommandThatFailsAndNotOfABuild(Device device) {
         List<Throwable> told = new ArrayList<>();
         try (Session session = Session.open(device)) {
@@ -318,8 +294,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void definedFloatsKeepEveryBit(Device device) {
         KernelSource source = KernelSource.ofText(
                         "constant", "kernel void constant_bits(global float *out) { out[0] = VALUE; }")
@@ -333,8 +308,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aProfilingSessionKnowsTheTimeOfEachKernel(Device device) {
         try (Session session = Session.open(device, true)) {
             int count = 1 << 20; // so many that a coarse clock shows some time
@@ -351,8 +325,7 @@ class SessionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void integerDivisionByZeroStillThrowsInJavaOnceTheDriverIsLoaded(Device device) {
         try (Session session = Session.open(device)) {
             session.finish();
@@ -368,8 +341,7 @@ class SessionTest {
      * An OpenCL object keeps those that it was made from, so one that were left, an event above all, would keep the context and
      * all that the driver holds for it: 50 MB of the process on an NVIDIA H200.
      */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aClosedSessionLeavesNothingToTheGarbageCollector(Device device) throws Exception {
         for (boolean profiling : new boolean[] {false, true}) {
             Session session = Session.open(device, profiling);
@@ -400,8 +372,7 @@ class SessionTest {
         return a / b;
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void abandonedSessionsAreClosedWithTheirBuffers(Device device) throws InterruptedException {
         // Opening a session takes a GPU's driver half a second.
         int sessions = device.kind() == Device.Kind.CPU ? 200 : 20;

@@ -2,9 +2,9 @@ package io.github.circles2d.project;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.Backend;
 import io.github.circles2d.Replay;
 import io.github.circles2d.World;
+import io.github.circles2d.WorldScenes;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringWriter;
@@ -97,7 +97,7 @@ class DocumentationTest {
         assertThat(end.matches()).as(shown).isTrue();
         int steps = Integer.parseInt(end.group(2));
         assertThat(steps).isBetween(470, 480);
-        try (World world = World.builder().backend(Backend.JVM).build();
+        try (World world = WorldScenes.jvm().build();
                 InputStream in = Files.newInputStream(log)) {
             Replay replay = new Replay(in, world).run();
             assertThat(replay.difference()).isEqualTo("no difference in " + steps + " steps");
@@ -119,11 +119,8 @@ class DocumentationTest {
                 + snippet(read("src/main/java/io/github/circles2d/Blobs.java"), "JointedCircles ball");
         String around = "import io.github.circles2d.*;\npublic class Game { public static void run(World world) {\n";
         assertCompiles("Game", around + code + "} }", folder);
-        try (World world = World.builder()
-                        .backend(Backend.JVM)
-                        .bounds(0, 0, 100, 100)
-                        .gravity(0, -10)
-                        .build();
+        try (World world =
+                        WorldScenes.jvm().bounds(0, 0, 100, 100).gravity(0, -10).build();
                 URLClassLoader loader =
                         new URLClassLoader(new URL[] {folder.toUri().toURL()})) {
             loader.loadClass("Game").getMethod("run", World.class).invoke(null, world);

@@ -103,7 +103,6 @@ final class JointVisit {
     }
 
     // ---- what it knows of its ends
-    // -----------------------------------------------------------------------------------------------
 
     private void measure(int boundary) {
         float[] to = b != null ? b.displacement : anchor == null ? NOTHING : anchor.ways()[boundary];
@@ -228,7 +227,6 @@ final class JointVisit {
     }
 
     // ---- impulses
-    // -----------------------------------------------------------------------------------------------
 
     private static float kept(float impulse) {
         return clamp(impulse, -GREATEST_IMPULSE, GREATEST_IMPULSE);
@@ -432,7 +430,6 @@ final class JointVisit {
     }
 
     // ---- what the circles get
-    // -----------------------------------------------------------------------------------------------
 
     private float spinOfA() {
         return (twist + both) / radius(a);

@@ -145,7 +145,6 @@ final class PieceContact extends Constraint {
     }
 
     // ---- where the circle is
-    // -----------------------------------------------------------------------------------------
 
     /** From the origin of the piece to a displacement, in the frame of the start of the step. */
     private float[] local(float[] displacement, int boundary) {
@@ -296,7 +295,6 @@ final class PieceContact extends Constraint {
     }
 
     // ---- visits
-    // ------------------------------------------------------------------------------------------------------
 
     void warmStart() {
         allowed = acts() ? Numbers.min(separation, 0f) : 0f;
@@ -358,7 +356,6 @@ final class PieceContact extends Constraint {
     }
 
     // ---- touches
-    // -----------------------------------------------------------------------------------------------------
 
     /** Half-way between the surfaces. */
     private float[] place(float[] displacement) {
@@ -530,7 +527,6 @@ final class PieceContact extends Constraint {
     }
 
     // ---- the move
-    // ----------------------------------------------------------------------------------------------------
 
     /** Where a piece stops a circle on its move. */
     private record Stop(PieceContact contact, float share, float[] place) {}

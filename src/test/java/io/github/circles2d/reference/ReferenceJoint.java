@@ -275,7 +275,6 @@ final class ReferenceJoint {
     }
 
     // ---- sleep
-    // ---------------------------------------------------------------------------------------------------
 
     /** Whether a circle of it sleeps, and none that a step could move is awake; or whether all it holds are bodies that sleep: steps leave it out. */
     boolean rests() {
@@ -367,7 +366,6 @@ final class ReferenceJoint {
     }
 
     // ---- what it did in the last step, which had a length; on A
-    // ---------------------------------------------------------------------
 
     float forceX(float dt) {
         return -sum[0] / dt + 0f;

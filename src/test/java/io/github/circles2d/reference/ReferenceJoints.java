@@ -62,7 +62,6 @@ final class ReferenceJoints {
     }
 
     // ---- calls
-    // -----------------------------------------------------------------------------------------------
 
     /** Adds a joint of a circle or a body with another one, or with a place. */
     ReferenceJoint add(End a, End b, Body body, float[] anchor, JointPlan plan, Arena arena) {
@@ -156,7 +155,6 @@ final class ReferenceJoints {
     }
 
     // ---- a step
-    // -----------------------------------------------------------------------------------------------
 
     void begin(List<Circle> circles, StepParameters k, float warmScale) {
         circles.forEach(c -> c.beginJoints(k));

@@ -71,7 +71,6 @@ final class ReferenceTerrain {
     }
 
     // ---- calls
-    // -------------------------------------------------------------------------------------------------------
 
     long addBody(float x, float y, float angle) {
         int id = freeId(bodies);
@@ -236,7 +235,6 @@ final class ReferenceTerrain {
     }
 
     // ---- a step
-    // ------------------------------------------------------------------------------------------------------
 
     void begin(StepParameters k) {
         bodies().forEach(body -> body.begin(k));

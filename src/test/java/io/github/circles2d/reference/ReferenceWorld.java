@@ -631,7 +631,6 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     // ---- bodies that are pushed
-    // ---------------------------------------------------------------------------------------------
 
     @Override
     public Bodies bodies() {
@@ -795,7 +794,6 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     // ---- joints
-    // -------------------------------------------------------------------------------------------------------------
 
     @Override
     public Joints joints() {

@@ -237,7 +237,6 @@ final class RigidContact {
     }
 
     // ---- visits
-    // ------------------------------------------------------------------------------------------------------------
 
     private static float inverseMass(RigidThing t, float armX, float armY, float x, float y) {
         float arm = armX * y - armY * x;

@@ -206,7 +206,6 @@ final class RigidJointVisit {
     }
 
     // ---- what it is
-    // ---------------------------------------------------------------------------------------------------------
 
     /** A weld holds a point, too. */
     private boolean isPoint() {
@@ -226,7 +225,6 @@ final class RigidJointVisit {
     }
 
     // ---- where its ends are
-    // -------------------------------------------------------------------------------------------------
 
     private void measure(int boundary) {
         a.turn();
@@ -288,7 +286,6 @@ final class RigidJointVisit {
     }
 
     // ---- impulses
-    // -----------------------------------------------------------------------------------------------------------
 
     private static float mass(float sum) {
         return sum > 0f ? 1f / sum : 0f;
@@ -343,7 +340,6 @@ final class RigidJointVisit {
     }
 
     // ---- in a step
-    // ----------------------------------------------------------------------------------------------------------
 
     void prepare() {
         measure(0);

@@ -182,7 +182,6 @@ final class RigidOutline {
     }
 
     // ---- the drawing
-    // -------------------------------------------------------------------------------------------------------
 
     private void draw(ChainShape shape) {
         float[] at = {shape.x(), shape.y()};
@@ -304,7 +303,6 @@ final class RigidOutline {
     }
 
     // ---- lines and corners
-    // -------------------------------------------------------------------------------------------------
 
     private Way before(int k) {
         return ways.get(Math.floorMod(k - 1, ways.size()));
@@ -423,7 +421,6 @@ final class RigidOutline {
     }
 
     // ---- mass
-    // --------------------------------------------------------------------------------------------------------------
 
     /** Adds up the mass, against the place of the first element; returns the centroid. */
     private double[] weigh() {
@@ -503,7 +500,6 @@ final class RigidOutline {
     }
 
     // ---- what a step has
-    // ---------------------------------------------------------------------------------------------------
 
     private float[] corner(Element e, double[] centroid) {
         Element last = elements.get(Math.floorMod(elements.indexOf(e) - 1, elements.size()));

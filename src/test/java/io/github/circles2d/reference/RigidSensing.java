@@ -29,7 +29,6 @@ final class RigidSensing {
     }
 
     // ---- shapes
-    // -----------------------------------------------------------------------------------------------------------
 
     /** A line, or an arc anticlockwise around a centre, which a line has not. */
     record Edge(double[] from, double[] to, double[] centre, double radius) {
@@ -147,7 +146,6 @@ final class RigidSensing {
     }
 
     // ---- two shapes
-    // -------------------------------------------------------------------------------------------------------
 
     /** The least distance so far, without thickness, and where. */
     private static final class Gap {
@@ -288,7 +286,6 @@ final class RigidSensing {
     }
 
     // ---- pairs
-    // -----------------------------------------------------------------------------------------------------------
 
     /** The step has ended: finds the pairs that touched in it. */
     List<RigidTouch> touches(
@@ -438,7 +435,6 @@ final class RigidSensing {
     }
 
     // ---- vectors
-    // ---------------------------------------------------------------------------------------------------------
 
     private static double[] doubles(float[] v) {
         return new double[] {v[0], v[1]};

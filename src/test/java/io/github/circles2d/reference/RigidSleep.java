@@ -43,7 +43,6 @@ final class RigidSleep {
     }
 
     // ---- who wakes
-    // ---------------------------------------------------------------------------------------------------------
 
     List<RigidThing> firstWoken() {
         List<RigidThing> first = new ArrayList<>();
@@ -117,7 +116,6 @@ final class RigidSleep {
     }
 
     // ---- joints
-    // ------------------------------------------------------------------------------------------------------------
 
     /** What is about to move a body at a side of a joint. */
     private float pulledBy(ReferenceJoint joint, int side, RigidThing t) {
@@ -167,7 +165,6 @@ final class RigidSleep {
     }
 
     // ---- balance
-    // -----------------------------------------------------------------------------------------------------------
 
     /** Whether another corner may arrive than the one that is near. */
     static boolean turnsFar(RigidThing body, StepParameters k) {
@@ -253,7 +250,6 @@ final class RigidSleep {
     }
 
     // ---- rings
-    // -------------------------------------------------------------------------------------------------------------
 
     /** Bodies that sleep, and that what woke in the ring before reaches. */
     List<RigidThing> reached(List<Circle> circles, List<RigidThing> bodies) {
@@ -298,7 +294,6 @@ final class RigidSleep {
     }
 
     // ---- who falls asleep
-    // --------------------------------------------------------------------------------------------------
 
     /** A body that is awake has moved and turned in the step. */
     static void rest(RigidThing t, float[] moved, int turned, boolean driven, StepParameters k, Kinds kinds) {

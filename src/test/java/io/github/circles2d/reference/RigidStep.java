@@ -75,7 +75,6 @@ final class RigidStep {
     }
 
     // ---- what takes part
-    // ---------------------------------------------------------------------------------------------------
 
     private RigidThing thing(Rigid body) {
         RigidThing t = new RigidThing(RigidThing.BODY, body.id, body.base.clone());
@@ -211,7 +210,6 @@ final class RigidStep {
     }
 
     // ---- pairs
-    // -------------------------------------------------------------------------------------------------------------
 
     /** The box of a body with its part of margins, and some more: least x and y, greatest x and y. */
     private static float[] box(RigidThing t) {
@@ -357,7 +355,6 @@ final class RigidStep {
     }
 
     // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     List<RigidThing> bodies() {
         return bodies;
@@ -576,7 +573,6 @@ final class RigidStep {
     }
 
     // ---- passes
-    // ------------------------------------------------------------------------------------------------------------
 
     void integrateVelocities() {
         for (RigidThing t : bodies) {
@@ -685,7 +681,6 @@ final class RigidStep {
     }
 
     // ---- circles
-    // -----------------------------------------------------------------------------------------------------------
 
     private void takeCircles(boolean before) {
         for (RigidThing t : things) {
@@ -750,7 +745,6 @@ final class RigidStep {
     }
 
     // ---- end
-    // ---------------------------------------------------------------------------------------------------------------
 
     /** Joints that break. */
     List<ReferenceJoint> broken() {

@@ -104,7 +104,6 @@ final class Sleep {
     }
 
     // ---- who wakes
-    // ---------------------------------------------------------------------------------------------------
 
     /** Wakes circles before anything else of the step. */
     void wake(Map<Contact.Pair, Impulses> impulseCache, RigidSleep bodies, float scale) {
@@ -468,7 +467,6 @@ final class Sleep {
     }
 
     // ---- who falls asleep
-    // --------------------------------------------------------------------------------------------
 
     /** After the step. torn: circles whose joints have broken in it. */
     void fallAsleep(List<Circle> torn) {

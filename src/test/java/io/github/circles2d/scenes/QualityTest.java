@@ -1,5 +1,6 @@
 package io.github.circles2d.scenes;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -106,12 +107,8 @@ class QualityTest {
         assertThatThrownBy(() -> Quality.of(zero, zero, zero, one, zero, zero, 2))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("circle 0: radius is 0.0");
-        assertThatThrownBy(() -> Quality.of(zero, zero, one, one, zero, new float[1], 2))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("vy has 1 elements");
-        assertThatThrownBy(() -> Quality.of(zero, zero, one, one, zero, zero, 0))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("at least 1: 0");
+        assertIllegalArgument("vy has 1 elements", () -> Quality.of(zero, zero, one, one, zero, new float[1], 2));
+        assertIllegalArgument("at least 1: 0", () -> Quality.of(zero, zero, one, one, zero, zero, 0));
     }
 
     @Test

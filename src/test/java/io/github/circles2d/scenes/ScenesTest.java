@@ -1,7 +1,7 @@
 package io.github.circles2d.scenes;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
@@ -169,12 +169,8 @@ class ScenesTest {
 
     @Test
     void sizesAndRatiosThatMakeNoSceneAreRefused() {
-        assertThatThrownBy(() -> Scenes.mixed(100, 0, 1))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("at least 1: 0");
-        assertThatThrownBy(() -> Scenes.boulder(1, 1))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("at least 2 circles, not 1");
+        assertIllegalArgument("at least 1: 0", () -> Scenes.mixed(100, 0, 1));
+        assertIllegalArgument("at least 2 circles, not 1", () -> Scenes.boulder(1, 1));
     }
 
     @Test
@@ -281,18 +277,10 @@ class ScenesTest {
 
     @Test
     void badParametersAreRefusedWithTheirValue() {
-        assertThatThrownBy(() -> Scenes.thesis(0, 1))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("at least 1 circle, not 0");
-        assertThatThrownBy(() -> Scenes.packed(-3, 1))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("-3");
-        assertThatThrownBy(() -> Scenes.billiards(Float.NaN))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("NaN");
-        assertThatThrownBy(() -> Scenes.gas(0, 1))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("not 0");
+        assertIllegalArgument("at least 1 circle, not 0", () -> Scenes.thesis(0, 1));
+        assertIllegalArgument("-3", () -> Scenes.packed(-3, 1));
+        assertIllegalArgument("NaN", () -> Scenes.billiards(Float.NaN));
+        assertIllegalArgument("not 0", () -> Scenes.gas(0, 1));
     }
 
     @Test

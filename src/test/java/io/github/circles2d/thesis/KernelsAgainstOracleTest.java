@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestDevices;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -116,12 +117,7 @@ class KernelsAgainstOracleTest {
         }
     }
 
-    static List<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void rowsHoldEveryPropertyOfEveryCircleInOrder(Device device) {
         for (int n : new int[] {2, 256, 300}) {
             TestScene scene = TestScene.crowd(n, 0.02f, 7);

@@ -7,23 +7,16 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 @Tag("each-jdk")
 class MemoryNeedTest {
     private static final Pattern FITTING = Pattern.compile("(\\d+) circles would fit");
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theNumberThatIsSaidToFitFitsAndOneMoreDoesNot(Device device) {
         for (PairStrategy strategy : ThesisStages.strategies()) {
             for (long free : new long[] {8, 100, 1_000, 123_456, 50_000_000, 900_000_000}) {
@@ -46,8 +39,7 @@ class MemoryNeedTest {
         return Integer.parseInt(number.group(1));
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theLargestBufferCountsByItself(Device device) {
         int circles = PairSlots.MAX_CIRCLES;
         long collision = 8 * PairSlots.count(circles);
@@ -62,8 +54,7 @@ class MemoryNeedTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void evenUnlimitedMemoryEndsAtTheSlotsThatAnIntCanNumber(Device device) {
         int tooMany = PairSlots.MAX_CIRCLES + 1;
         assertThat(PairSlots.count(PairSlots.MAX_CIRCLES)).isLessThan(1L << 31);

@@ -4,13 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceBuffer;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Slot to pair and back, on the device, for every strategy. */
 class PairIndexingTest {
@@ -25,18 +23,12 @@ class PairIndexingTest {
     /** Among them the least whose products no longer fit into an int, and the greatest of all. */
     private static final int[] LARGE = {16_384, 16_385, 46_341, 46_342, 65_536};
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void everyStrategyGivesThePairsInTheOrderOfTheTriangle(Device device) {
         assertInTheOrderOfTheTriangle(device, 2, 9, 1_250);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("exhaustive")
     void everyStrategyGivesThePairsOfMoreNumbersInTheOrderOfTheTriangle(Device device) {
         assertInTheOrderOfTheTriangle(device, 3, 4, 5, 8, 33, 100, 257, 2_000);
@@ -61,22 +53,19 @@ class PairIndexingTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void theRowSearchAndTheExactFormMapEverySlotOfASmallNRight(Device device) {
         assertEverySlotIsRight(device, SMALL);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("exhaustive")
     void theRowSearchAndTheExactFormMapEverySlotOfMoreNumbersRight(Device device) {
         assertEverySlotIsRight(device, MORE);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("exhaustive")
     void theRowSearchAndTheExactFormMapEverySlotOfALargeNRight(Device device) {
         assertEverySlotIsRight(device, LARGE);
@@ -96,14 +85,12 @@ class PairIndexingTest {
     }
 
     /** A slot that is taken for one of another row is first wrong at an end of its row. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theRowSearchAndTheExactFormMapBothEndsOfEveryRowOfALargeNRight(Device device) {
         assertBothEndsOfEveryRowAreRight(device, 46_342, 65_536);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("exhaustive")
     void theRowSearchAndTheExactFormMapBothEndsOfEveryRowOfEveryLargeNRight(Device device) {
         assertBothEndsOfEveryRowAreRight(device, LARGE);
@@ -136,14 +123,12 @@ class PairIndexingTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theLookupTableHoldsThePairOfEverySlot(Device device) {
         assertThat(lookupTablesThatFit(device, 2, 3, 46, 1_250)).isEqualTo(4);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("exhaustive")
     void aLargeLookupTableHoldsThePairOfEverySlotWhereverItFits(Device device) {
         lookupTablesThatFit(device, 5_000, 10_000, 15_000);
@@ -167,8 +152,7 @@ class PairIndexingTest {
     }
 
     /** The numbers differ from device to device; that there are none while all terms are exact in a float does not. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theComputedRootIsRightUpTo2049CirclesAndWrongForSomeSlotsOf15000(Device device) {
         System.out.println("slots that strategy 0 maps wrongly on " + device.name());
         for (int n : new int[] {2, 3, 100, 1_250, 2_048, 2_049, 2_050, 2_116, 2_500, 5_000, 10_000, 15_000, 30_000}) {
@@ -199,8 +183,7 @@ class PairIndexingTest {
     }
 
     /** A probe that could not tell right from wrong would prove nothing. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theProbeCountsEverySlotOfATableThatIsWrong(Device device) {
         int n = 300;
         try (PairProbe probe = new PairProbe(device, n);
@@ -212,8 +195,7 @@ class PairIndexingTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void whatTheDetectKernelSkipsIsWhatTheProbeCounts(Device device) {
         int n = 5_000;
         try (PairProbe probe = new PairProbe(device, n)) {

@@ -6,24 +6,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.opencl.TestDevices;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 @Tag("each-jdk")
 class ThesisSimulationTest {
     private static final Parameters PARAMETERS = Parameters.of(1 / 60f, 0.5f, new float[] {0, -0.01f});
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void itHoldsWhatItsMemoryNeedSaysAndGivesAllOfItBack(Device device) {
         CircleList circles = TestScene.crowd(70, 0.05f, 1).circles();
         for (PairStrategy strategy : ThesisStages.strategies()) {
@@ -42,8 +35,7 @@ class ThesisSimulationTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aStartThatFailsHalfWayReleasesWhatItMade(Device device) {
         CircleList circles = TestScene.crowd(70, 0.05f, 1).circles();
         for (Failing.Stage stage : Failing.Stage.values()) {

@@ -1,30 +1,24 @@
 package io.github.circles2d.tools;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.ForkedJvm;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestDevices;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 @Tag("each-jdk")
 class VectorAdditionTest {
-    static List<Device> devices() {
-        return TestDevices.all();
-    }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void everyElementIsTheSum(Device device) {
         float[] a = new float[1000]; // no multiple of a work-group
         float[] b = new float[1000];
@@ -39,12 +33,9 @@ class VectorAdditionTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void vectorsOfDifferentLengthsAreRefused(Device device) {
-        assertThatThrownBy(() -> VectorAddition.add(device, new float[3], new float[4]))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("3 and 4");
+        assertIllegalArgument("3 and 4", () -> VectorAddition.add(device, new float[3], new float[4]));
     }
 
     @Test

@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.WorldParameters;
@@ -16,31 +16,22 @@ import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Pipeline;
-import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Worlds with bodies that are pushed have the same bits on the JVM and, by each plan, on devices. */
 class BodiesAgreeTest {
     private static final int STEPS = 40;
     private static final int CIRCLES = 150;
 
-    static List<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void byColours(Device device) {
         agree(new JvmPipeline(2, 1, 0, false), Pipelines.of(device, Plans.COLOURS.of(device), false), Edges.WALLS);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void byTiles(Device device) {
         if (Tiles.fit(device)) {
@@ -82,8 +73,7 @@ class BodiesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void bodiesAlone(Device device) {
         WorldParameters parameters = new WorldParameters(new Bounds(0, 0, 12, 12), 1, -10, 0.3f, 4, 0);
         try (Simulation one = new Simulation(new JvmPipeline(1, 1, 0, false), parameters);
@@ -100,14 +90,12 @@ class BodiesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void asleepByColours(Device device) {
         agreeAsleep(device, Plans.COLOURS, TestScale.of(2, 3), Edges.WALLS);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void asleepByTiles(Device device) {
         if (Tiles.fit(device)) {
@@ -146,8 +134,7 @@ class BodiesAgreeTest {
     }
 
     /** A call wakes circles and bodies on the other side of a seam, and all that are near, whoever wakes first. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aCallWakesTheSameAcrossASeam(Device device) {
         try (Simulation one = new Simulation(new JvmPipeline(1, 1, 0, false), sleeping(Edges.WRAPPED));
                 Simulation other = new Simulation(pipeline(device, Plans.COLOURS), sleeping(Edges.WRAPPED))) {
@@ -176,8 +163,7 @@ class BodiesAgreeTest {
     }
 
     /** Nothing is launched, and no circle copied, while all sleep, until something is new. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void stepsInWhichAllSleepCostNothing(Device device) {
         DevicePipeline profiled = pipeline(device, Plans.COLOURS);
         try (Simulation one = new Simulation(new JvmPipeline(1, 1, 0, false), sleeping(Edges.WALLS));

@@ -6,9 +6,9 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.model.Bounce;
@@ -33,8 +33,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Every function of {@link #FORMULAS}, called on a device and in Java with the same inputs. The functions are
@@ -106,18 +104,12 @@ class CircleMathOnDevicesTest {
             "bounceThreshold", "StepConstants k; k.restRate = p3; k.fixedThreshold = p4;",
             "flightThreshold", "StepConstants k; k.thresholdRate = p2; k.flightRestRate = p3; k.fixedThreshold = p4;");
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void everyFunctionHasTheSameBitsOnTheDeviceAsInJava(Device device) throws Throwable {
         compare(device, FEW_INPUTS);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("exhaustive")
     void everyFunctionHasTheSameBitsForManyInputs(Device device) throws Throwable {
         compare(device, MANY_INPUTS);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.world.DeviceSearches;
 import io.github.circles2d.world.Simulation;
@@ -125,7 +126,6 @@ class DeviceQueriesTest {
     }
 
     // ---- changes
-    // -----------------------------------------------------------------------------------------------------
 
     private void add() {
         float x = coordinate();
@@ -173,7 +173,6 @@ class DeviceQueriesTest {
     }
 
     // ---- comparisons
-    // -------------------------------------------------------------------------------------------------
 
     private void compareAll() {
         leftOut = random.nextInt(3) == 0 ? any() : 0;
@@ -354,14 +353,8 @@ class DeviceQueriesTest {
     }
 
     // ---- special worlds
-    // ----------------------------------------------------------------------------------------------
 
-    static List<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void singleQueriesAndRefusalsAreAsOnTheHost(Device on) {
         open(on, new Radii(1, 3));
         for (int k = 0; k < 300; k++) {
@@ -392,8 +385,7 @@ class DeviceQueriesTest {
     }
 
     /** The cells of the tree are those of all circles: one far away leaves the others a single one. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theHostAnswersWhereCirclesCrowdInACellOrFindTooMuch(Device on) {
         random = new SplittableRandom(5);
         WorldParameters parameters = new WorldParameters(new Bounds(0, 0, 1e6f, 1e6f), 0, 0, 0.5f, 4, 0);

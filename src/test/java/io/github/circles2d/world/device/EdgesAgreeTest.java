@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
@@ -25,8 +25,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Worlds with axes that are open or wrap have the same bits on every device, by every plan, and for any number of threads. */
 class EdgesAgreeTest {
@@ -38,10 +36,6 @@ class EdgesAgreeTest {
     };
 
     private static final AxisEdge[][] EDGES = Arrays.copyOf(ALL_EDGES, TestScale.of(2, ALL_EDGES.length));
-
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     private static Pipeline[] pipelines(Device device) {
         List<Pipeline> pipelines = new ArrayList<>();
@@ -65,8 +59,7 @@ class EdgesAgreeTest {
         return Pipelines.of(device, plans, false, Pipelines.INSIDE_EDGES);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void edgesTakeNoMemory(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long walled = pipeline.bytesHeld();
@@ -76,8 +69,7 @@ class EdgesAgreeTest {
     }
 
     /** From crowds at one point to fast circles, of one size and of many. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void scenesHaveTheSameBits(Device device) {
         Scene[] scenes = {
@@ -103,8 +95,7 @@ class EdgesAgreeTest {
     }
 
     /** Circles come, go and are moved, static ones travel, states are exchanged, and events are the same. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void changesHaveTheSameBitsAndEvents(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 2), Scenes.mixed(300, 2)}) {
@@ -134,8 +125,7 @@ class EdgesAgreeTest {
     }
 
     /** Static circles that cross the seam, by their velocity or to a place beyond it, take others along. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void staticCirclesThatCrossTheSeamHaveTheSameBits(Device device) {
         Scene scene = HardScenes.paddles(20, 30, 1);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -155,8 +145,7 @@ class EdgesAgreeTest {
     }
 
     /** Around an axis that wraps there may be so few cells that a tile with its border goes round further than once. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void axesOfFewCellsHaveTheSameBits(Device device) {
         float cell = 2 * (1 + Tuning.MARGIN + Tuning.CAP);

@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
@@ -21,14 +21,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Worlds that report events have the same events and the same bits on every device and for any number of threads. */
 class EventsAgreeTest {
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     /** In Java on one thread and on more, and one for each plan that a device can follow. */
     private static Pipeline[] pipelines(Device device) {
@@ -44,8 +39,7 @@ class EventsAgreeTest {
         return pipelines.toArray(Pipeline[]::new);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void scenesHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {
@@ -71,8 +65,7 @@ class EventsAgreeTest {
     }
 
     /** Circles come, go and are moved, states are exchanged, reporting is switched, and nobody looks in between. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void changesHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 2), Scenes.mixed(300, 2)}) {
@@ -102,8 +95,7 @@ class EventsAgreeTest {
     }
 
     /** What a sensor notices is the same by any plan, since no plan solves it. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void sensedPairsAreTheSameByAnyPlan(Device device) {
         for (Scene scene : new Scene[] {
@@ -136,8 +128,7 @@ class EventsAgreeTest {
     }
 
     /** Static circles sense each other and bodies, since a kind asks; they come to rest, are moved and wake. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void staticCirclesHaveTheSameEvents(Device device) {
         Scene scene = Scenes.mixed(300, 6);
@@ -182,8 +173,7 @@ class EventsAgreeTest {
     }
 
     /** Pieces of terrain come, go, move and get other kinds, some of which only sense. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("each-jdk")
     @Tag("long")
     void piecesOfTerrainHaveTheSameEvents(Device device) {
@@ -221,8 +211,7 @@ class EventsAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void piecesAcrossSeamsHaveTheSameEvents(Device device) {
         Scene scene = Scenes.gas(300, 5);
@@ -246,8 +235,7 @@ class EventsAgreeTest {
     }
 
     /** Requested events are those of the steps before, whatever has been made since. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void requestedEventsAreTheSame(Device device) {
         Scene scene = Scenes.gas(300, 2);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -273,8 +261,7 @@ class EventsAgreeTest {
     }
 
     /** Walls move, kinds and forces are changed, and in an exhaustive run contacts get other settings. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void wallsThatMoveAndContactsOfAnySettingsHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {Scenes.gas(300, 3), Scenes.mixed(300, 3)}) {
@@ -298,8 +285,7 @@ class EventsAgreeTest {
     }
 
     /** Many circles, so that several work-groups share a step; most pairs press each other step after step. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void pilesHaveTheSameEvents(Device device) {
         Scene scene = Scenes.packed(3000, 1);
@@ -316,8 +302,7 @@ class EventsAgreeTest {
     }
 
     /** Two plans make steps of one world in turn: what one leaves of the pairs in touch, the other goes on from. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void plansThatTakeTurnsHaveTheSameEvents(Device device) {
         Scene scene = Scenes.packed(1200, 5);

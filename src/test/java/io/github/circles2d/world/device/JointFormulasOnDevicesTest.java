@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.WorldSource;
@@ -19,8 +19,6 @@ import io.github.circles2d.world.model.Velocity;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.SplittableRandom;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** The formulas of joints have the same bits on a device as in Java, also for numbers of any magnitude, infinite ones and angles that overflow. */
 class JointFormulasOnDevicesTest {
@@ -55,12 +53,7 @@ class JointFormulasOnDevicesTest {
             }
             """;
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void formulasHaveTheSameBits(Device device) {
         SplittableRandom random = new SplittableRandom(1);
         int count = TestScale.of(200_000, 2_000_000);

@@ -233,7 +233,6 @@ final class JointTwins {
     }
 
     // ---- colours, batches, split joints and partners
-    // -----------------------------------------------------------------------------------------
 
     private boolean exists(int joint) {
         return tables.traits[JointRow.traits(joint) + JointRow.FORM] != 0;
@@ -400,7 +399,6 @@ final class JointTwins {
     }
 
     // ---- what joints keep, and which break
-    // -------------------------------------------------------------------------------------------------
 
     /** Compares what joints keep; returns how many push. */
     int assertSameStates(String when) {

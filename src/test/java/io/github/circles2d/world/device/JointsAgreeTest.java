@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
@@ -18,14 +18,9 @@ import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles and joints have the same bits on every device as in Java, by every plan. */
 class JointsAgreeTest {
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     private static Pipeline[] pipelines(Device device) {
         return Pipelines.ready(device);
@@ -37,8 +32,7 @@ class JointsAgreeTest {
     }
 
     /** Joints of every form, few and many: alone, in batches, in large components, and more of a circle than there are colours. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void jointsHaveTheSameBits(Device device) {
         Scene[] scenes = {Scenes.thesis(400, 1), Scenes.mixed(400, 1), Scenes.gas(300, 1), HardScenes.blend(300, 10, 1)
@@ -85,8 +79,7 @@ class JointsAgreeTest {
     }
 
     /** In the middle of steps that are enqueued together; then their circles may collide. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void jointsBreakInTheSameSteps(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 3), Scenes.mixed(300, 3)}) {
             JointTwins joints = joints(scene);
@@ -111,8 +104,7 @@ class JointsAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void edgesHaveTheSameBits(Device device) {
         Scene scene = Scenes.mixed(300, 5);
@@ -138,8 +130,7 @@ class JointsAgreeTest {
     }
 
     /** Masses, speeds, radii, frictions and torques of any magnitude, also in crowds. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void extremeCirclesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 6), Scenes.onePoint(200, 6)}) {
@@ -168,8 +159,7 @@ class JointsAgreeTest {
     }
 
     /** Worlds that report have kernels of their own. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void eventsAreTheSame(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4)}) {
@@ -198,8 +188,7 @@ class JointsAgreeTest {
     }
 
     /** Joints are made by calls, in mid-life, also on bodies that move; states are exchanged, and restored into worlds without joints. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void callsHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(200, 5), Scenes.mixed(200, 5)}) {
@@ -237,8 +226,7 @@ class JointsAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void onlyAWorldWithJointsHasMemoryForThem(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {

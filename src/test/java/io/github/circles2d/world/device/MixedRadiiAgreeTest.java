@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
@@ -15,8 +15,6 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles of very different sizes have the same bits and events by every plan and in Java, whatever else is the matter with them. */
 class MixedRadiiAgreeTest {
@@ -24,12 +22,7 @@ class MixedRadiiAgreeTest {
         {AxisEdge.WALL, AxisEdge.WALL}, {AxisEdge.WRAP, AxisEdge.WRAP}, {AxisEdge.OPEN, AxisEdge.WRAP}
     };
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void blendsHaveTheSameBitsWithAllEdges(Device device) {
         Scene[] scenes = {HardScenes.blend(500, 10, 1), HardScenes.blend(1200, 100, 2), HardScenes.blend(200, 3, 3)};
@@ -53,8 +46,7 @@ class MixedRadiiAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void blendsHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {HardScenes.blend(500, 10, 4), HardScenes.blend(900, 100, 5)}) {
@@ -74,8 +66,7 @@ class MixedRadiiAgreeTest {
     }
 
     /** The step finds out about it late: other circles have no contacts that could tell. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void aCrowdOfCrossContactsAloneHasTheSameBits(Device device) {
         Bounds bounds = new Bounds(0, 0, 1, 1);
@@ -90,8 +81,7 @@ class MixedRadiiAgreeTest {
     }
 
     /** Groups have more like contacts than a tile takes, and circles more candidates than are kept, in more than one level. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void crowdsOfSeveralLevelsHaveTheSameBits(Device device) {
         for (int circles : new int[] {40, 300}) {
@@ -110,8 +100,7 @@ class MixedRadiiAgreeTest {
     }
 
     /** A level comes and goes with the one circle that is in it: the smallest, the largest, and one between. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void levelsComeAndGo(Device device) {
         Scene scene = Scenes.thesis(1250, 9);
         float[] factors = {1, 0.05f, 1, 6, 2.5f, 1};

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.WorldSource;
@@ -18,8 +18,6 @@ import io.github.circles2d.world.model.PieceSweep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.SplittableRandom;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** The formulas of pieces of terrain have the same bits on a device as in Java, for circles near them and far away, also in odd places. */
 class PieceFormulasOnDevicesTest {
@@ -59,12 +57,7 @@ class PieceFormulasOnDevicesTest {
             }
             """;
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void formulasHaveTheSameBits(Device device) {
         SplittableRandom random = new SplittableRandom(1);
         TerrainTwins terrain = new TerrainTwins(new Bounds(-1, -1, 1, 1), 0.5f);

@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
@@ -19,14 +19,9 @@ import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every plan of the OpenCL pipeline has the same bits as the pipeline in Java, on every device. */
 class PipelinesAgreeTest {
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     /** The pipeline in Java, and one for each plan that a device can follow. */
     static Pipeline[] pipelines(Device device) {
@@ -42,8 +37,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("each-jdk")
     void scenesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         int rounds = TestScale.of(4, 20);
@@ -57,8 +51,7 @@ class PipelinesAgreeTest {
         compare(device, Scenes.noCollide(), rounds, 5, Scenes.noCollide().timeStep());
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void staticCirclesThatMoveAndStopHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         Scene scene = Scenes.thesis(300, 4);
@@ -74,15 +67,13 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void theSizeOfWorkGroupsDoesNotShow(Device device) {
         compareSizesOfWorkGroups(device, 3);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("exhaustive")
     void otherSizesOfWorkGroupsDoNotShow(Device device) {
         compareSizesOfWorkGroups(device, 1, 32, 256);
@@ -102,8 +93,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void fastCirclesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         compare(
@@ -117,8 +107,7 @@ class PipelinesAgreeTest {
         compare(device, Scenes.bouncy(1), 6, 3, 1f);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void circlesOfSeveralKindsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         Scene[] scenes = {
@@ -150,8 +139,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void crowdsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         compare(device, Scenes.onePoint(300, 1), 10, 3, 1 / 60f);
@@ -160,8 +148,7 @@ class PipelinesAgreeTest {
         compare(device, Scenes.oneCell(1250, 1), 10, 3, 1 / 60f);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void extremeCirclesOfOneSizeHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         for (int subSteps : TestScale.EXHAUSTIVE ? new int[] {1, 4, 5} : new int[] {1, 5}) {
@@ -181,8 +168,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void stepsThatNobodyLooksAtInBetweenHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         // Among them such as are refused at first, and such as those behind them find other circumstances than.
         for (Scene scene : new Scene[] {Scenes.thesis(600, 6), Scenes.mixed(600, 6), Scenes.onePoint(200, 6)}) {
@@ -226,8 +212,7 @@ class PipelinesAgreeTest {
         return (float) Math.pow(10, least + random.nextDouble() * (greatest - least));
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void changesHaveTheSameEffectOnTheDeviceAsInJava(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
@@ -248,8 +233,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void wallsThatMovePushTheSameOnTheDeviceAsInJava(Device device) {
         // By up to about the largest radius: some circles are pushed, others brought inside.
@@ -268,8 +252,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void contactsOfAnySettingsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         ContactSettings[] settings = {
@@ -290,8 +273,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void positionsRequestedAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
         // With steps that are refused at first, before requests and behind them: no room yet, a crowd, fast circles.
@@ -322,8 +304,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void aStateSavedOnOneGoesOnTheSameOnAnother(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 5), Scenes.mixed(1250, 5)}) {
@@ -339,8 +320,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void figuresOfTheLastStepAreTheSameOnTheDeviceAsInJava(Device device) {
         Scene scene = Scenes.mixed(1250, 4);
@@ -359,8 +339,7 @@ class PipelinesAgreeTest {
     }
 
     /** The next request would arrive where none has been. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aDeviceIsLeftOnceOneRequestHasBeenTaken(Device device) {
         DevicePipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false);
         WorldParameters parameters = new WorldParameters(new Bounds(0, 0, 9, 9), 0, -10, 0, 4, 0);

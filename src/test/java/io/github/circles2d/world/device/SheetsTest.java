@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
@@ -19,7 +19,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -32,10 +31,6 @@ class SheetsTest {
 
     /** How many times the pairs of a square others may test. */
     private static final double MOST = 2;
-
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     private static Pipeline java() {
         return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
@@ -177,8 +172,7 @@ class SheetsTest {
         assertThat(few * 2501).isBetween(4., 40.);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void devicesTestTheSamePairsAsJava(Device device) {
         double ofSquare = ofSquare(UNIT, 1000, PipelinesAgreeTest.pipelines(device));
@@ -196,8 +190,7 @@ class SheetsTest {
                 .isZero();
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void linesHaveTheSameBitsAndEventsOnTheDeviceAsInJava(Device device) {
         for (AxisEdge edge : AxisEdge.values()) {

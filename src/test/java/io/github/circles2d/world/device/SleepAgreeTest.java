@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.events.ContactEvents;
@@ -15,17 +15,11 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles fall asleep and wake in the same steps on every device as in Java, to the bit. */
 class SleepAgreeTest {
     private static final float DT = 1 / 60f;
     private static final Bounds BOX = new Bounds(0, 0, 4, 6);
-
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     /** A heap of circles that have friction, and report all. */
     private static Twins heap(Device device, Bounds bounds, int circles, float ratio) {
@@ -81,8 +75,7 @@ class SleepAgreeTest {
         run(twins, what + ", all awake", DT, 30);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aHeapSleepsAndWakesAlike(Device device) {
         try (Twins twins = heap(device, BOX, 20, 1)) {
             assertThat(run(twins, "a heap", DT, 240)).isGreaterThan(10);
@@ -94,8 +87,7 @@ class SleepAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aChangeOfAKindOrAWallWakesTheSame(Device device) {
         try (Twins twins = heap(device, BOX, 20, 1)) {
             twins.setKinds(3);
@@ -121,8 +113,7 @@ class SleepAgreeTest {
     }
 
     /** Nothing is launched while all sleep, until something is new. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void stepsInWhichAllSleepCostNothing(Device device) {
         DevicePipeline profiled = Pipelines.of(device, Pipelines.colours(device), true, Pipelines.INSIDE);
         try (Twins twins = Twins.sleeping(BOX, 4, 10, jvm(), profiled)) {
@@ -159,8 +150,7 @@ class SleepAgreeTest {
     }
 
     /** Those that fell asleep elsewhere have more impulses and events than there is room for at first. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void manyThatSleepAreTakenOver(Device device) {
         Bounds bounds = new Bounds(0, 0, 6, 12);
@@ -184,8 +174,7 @@ class SleepAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void heapsOfUnlikeRadiiSleepAndWakeAlike(Device device) {
         for (float ratio : new float[] {3, 8}) {
@@ -196,8 +185,7 @@ class SleepAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void theySleepAndWakeAlikeOnTerrain(Device device) {
         try (Twins twins = heap(device, BOX, 20, 1)) {
@@ -212,8 +200,7 @@ class SleepAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void theySleepAndWakeAlikeOverASeam(Device device) {
         try (Twins twins = heap(device, BOX.with(AxisEdge.WRAP, AxisEdge.WALL), 30, 2)) {
@@ -222,8 +209,7 @@ class SleepAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void whatJointsHoldSleepsAndWakesAlike(Device device) {
         try (Twins twins = heap(device, BOX, 20, 1)) {
@@ -239,8 +225,7 @@ class SleepAgreeTest {
     }
 
     /** Kinds that are sensed, never sleep, or fall otherwise; forces and torques. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void kindsAndForcesAreHeededAlike(Device device) {
         try (Twins twins = heap(device, BOX, 30, 1)) {

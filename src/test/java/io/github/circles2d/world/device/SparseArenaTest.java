@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.jvm.SparseArena;
 import io.github.circles2d.world.model.Bounds;
@@ -12,7 +12,6 @@ import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Few circles in a vast arena, where far cells share buckets: the work stays in proportion, and the bits are the same. */
@@ -21,10 +20,6 @@ class SparseArenaTest {
     private static final int MOST_PAIRS = 8;
 
     private static final Bounds UNIT = new Bounds(0, 0, 1, 1);
-
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     private static Pipeline java() {
         return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
@@ -39,8 +34,7 @@ class SparseArenaTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void latticesHaveFewCandidatePairsOnDevices(Device device) {
         for (int spacing : new int[] {32, 64, 100, 128, 256}) {
@@ -76,8 +70,7 @@ class SparseArenaTest {
     }
 
     /** From the smallest torus to one of several tiles; an arena with many times as many columns. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void neighboursAcrossTheEdgesOfTheTorusHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         for (int groups : new int[] {40, 150, 600, 2000}) {

@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
@@ -17,22 +17,16 @@ import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles that grip and turn have the same bits on every device as in Java. */
 class SurfacesAgreeTest {
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     private static Pipeline[] pipelines(Device device) {
         return Pipelines.ready(device);
     }
 
     /** From the first surface in mid-life on, in steps of several lengths, also with fast circles. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void scenesHaveTheSameBits(Device device) {
         Scene[] scenes = {
@@ -73,8 +67,7 @@ class SurfacesAgreeTest {
     }
 
     /** Circles come, go, change radii and masses; walls move; states are exchanged. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void changesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 3), Scenes.mixed(300, 3), HardScenes.blend(200, 10, 3)}) {
@@ -105,8 +98,7 @@ class SurfacesAgreeTest {
     }
 
     /** A world that is empty at first grows, step by step, from the room that there is at first. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void aWorldThatGrowsHasTheSameBits(Device device) {
         Scene scene = Scenes.mixed(40, 9);
@@ -128,8 +120,7 @@ class SurfacesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void eventsAreTheSame(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), HardScenes.blend(300, 10, 4), Scenes.bouncy(2)}) {
@@ -152,8 +143,7 @@ class SurfacesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void edgesHaveTheSameBits(Device device) {
         Scene scene = Scenes.mixed(300, 5);
@@ -172,8 +162,7 @@ class SurfacesAgreeTest {
     }
 
     /** Static circles turn, and belts run, under circles that lie on them. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void staticRollersHaveTheSameBits(Device device) {
         Scene scene = HardScenes.pile(12, 12, 1);
@@ -193,8 +182,7 @@ class SurfacesAgreeTest {
     }
 
     /** Masses, speeds, frictions and torques of any magnitude, now and then one of a few. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void extremeCirclesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(600, 6), Scenes.mixed(600, 6)}) {
@@ -216,8 +204,7 @@ class SurfacesAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void onlyAWorldThatTurnsHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long still = pipeline.bytesHeld();
@@ -232,8 +219,7 @@ class SurfacesAgreeTest {
     }
 
     /** That a world turns shows in nothing: not in bits, not in snapshots. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void aWorldThatTurnsWithoutGripHasTheBitsOfOneThatDoesNot(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 6), Scenes.mixed(300, 6)}) {

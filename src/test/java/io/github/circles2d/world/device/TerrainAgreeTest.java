@@ -3,7 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
@@ -17,14 +17,9 @@ import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles and pieces of terrain have the same bits on every device as in Java, by every plan. */
 class TerrainAgreeTest {
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
     private static Pipeline[] pipelines(Device device) {
         return Pipelines.ready(device);
@@ -36,15 +31,13 @@ class TerrainAgreeTest {
     }
 
     /** Random pieces at rest, in scenes of every sort. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void piecesAtRestHaveTheSameBits(Device device) {
         compare(device, false, Scenes.thesis(600, 1), Scenes.mixed(600, 1), Scenes.gas(600, 1), Scenes.bouncy(1));
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void piecesThatMoveHaveTheSameBits(Device device) {
         compare(device, true, Scenes.thesis(600, 2), HardScenes.blend(500, 10, 1), Scenes.gas(600, 2));
@@ -74,8 +67,7 @@ class TerrainAgreeTest {
     }
 
     /** Surfaces, kinds and circles change beside pieces; walls move. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void changesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 3), Scenes.mixed(300, 3)}) {
             TerrainTwins terrain = terrain(scene);
@@ -107,8 +99,7 @@ class TerrainAgreeTest {
     }
 
     /** Terrain is made by calls, in mid-life; states are exchanged, and restored into worlds without terrain. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void callsHaveTheSameBits(Device device) {
         Scene[] scenes = {Scenes.thesis(300, 5), Scenes.mixed(300, 5), HardScenes.blend(200, 10, 3)};
@@ -140,8 +131,7 @@ class TerrainAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void edgesHaveTheSameBits(Device device) {
         Scene scene = Scenes.mixed(300, 5);
@@ -164,8 +154,7 @@ class TerrainAgreeTest {
     }
 
     /** Masses, speeds, radii, frictions and torques of any magnitude, also in crowds, beside pieces at rest and such as move. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void extremeCirclesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 6), Scenes.onePoint(200, 6)}) {
@@ -191,8 +180,7 @@ class TerrainAgreeTest {
     }
 
     /** Worlds that report have kernels of their own. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void eventsOfCirclesAndWallsAreTheSame(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4)}) {
@@ -216,8 +204,7 @@ class TerrainAgreeTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     @Tag("long")
     void onlyAWorldWithTerrainHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {

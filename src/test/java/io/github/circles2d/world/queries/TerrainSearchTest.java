@@ -83,7 +83,6 @@ class TerrainSearchTest {
     }
 
     // ---- the tree
-    // ----------------------------------------------------------------------------------------------------
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 9, 40, 600})
@@ -234,7 +233,6 @@ class TerrainSearchTest {
     }
 
     // ---- the tests of a piece
-    // ----------------------------------------------------------------------------------------
 
     /** The distance from a point to a piece, by another formula. */
     private static double distance(PieceRows rows, int piece, double px, double py) {

@@ -1,7 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
@@ -46,9 +46,7 @@ class FieldSectionsTest {
             assertThat(world.tag(first)).isEqualTo(5);
             forge.accept(bytes);
             bytes.putLong(SnapshotCodec.CHECK_AT, SnapshotCodec.check(bytes, bytes.limit()));
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.restore(bytes))
-                    .withMessageContaining(message);
+            assertIllegalArgument(message, () -> world.restore(bytes));
             assertThat(world.tag(first)).isEqualTo(5);
         }
     }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.snapshots;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
@@ -138,13 +139,9 @@ class ForgedSnapshotTest {
                     .withMessageContaining("from a later version")
                     .withMessageContaining("its version is 2");
             ByteBuffer field = withSection(good, 999);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.restore(field))
-                    .withMessageContaining("from a later version");
+            assertIllegalArgument("from a later version", () -> world.restore(field));
             ByteBuffer section = withSection(good, 1_999);
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.restore(section))
-                    .withMessageContaining("a section with the unknown number 1999");
+            assertIllegalArgument("a section with the unknown number 1999", () -> world.restore(section));
         }
     }
 

@@ -1,7 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import io.github.circles2d.Edge;
 import io.github.circles2d.Joint;
@@ -309,9 +309,7 @@ class JointSectionTest {
             build(world);
             world.step(STEP);
             long hash = world.hash();
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.restore(bytes))
-                    .withMessageContaining(message);
+            assertIllegalArgument(message, () -> world.restore(bytes));
             assertThat(world.hash()).isEqualTo(hash);
         }
     }

@@ -1,7 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import io.github.circles2d.ArcSide;
 import io.github.circles2d.Chain;
@@ -261,9 +261,7 @@ class TerrainSectionTest {
             build(world);
             world.step(1 / 60f);
             long hash = world.hash();
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> world.restore(bytes))
-                    .withMessageContaining(message);
+            assertIllegalArgument(message, () -> world.restore(bytes));
             assertThat(world.hash()).isEqualTo(hash);
         }
     }

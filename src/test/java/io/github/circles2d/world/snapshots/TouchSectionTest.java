@@ -1,7 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
+import static io.github.circles2d.Refusals.assertIllegalArgument;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import io.github.circles2d.Events;
 import io.github.circles2d.World;
@@ -118,8 +118,6 @@ class TouchSectionTest {
         world.restore(bytes.duplicate());
         forge.accept(bytes);
         bytes.putLong(SnapshotCodec.CHECK_AT, SnapshotCodec.check(bytes, bytes.limit()));
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> world.restore(bytes))
-                .withMessageContaining(message);
+        assertIllegalArgument(message, () -> world.restore(bytes));
     }
 }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
+import static io.github.circles2d.Refusals.assertIllegalState;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
@@ -8,8 +9,8 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.KernelBuildException;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.world.circles.CircleField;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
@@ -18,17 +19,11 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** The tables of the host, and what compilers of devices make of them. */
 class WorldTablesTest {
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theDeviceTakesTheSizesOfStructsAndElementsForWhatTheHostDoes(Device device) {
         List<String> probed = new ArrayList<>(List.of("StepConstants", "Levels", "WallMotion"));
         List<Integer> onHost = new ArrayList<>(List.of(
@@ -83,8 +78,7 @@ class WorldTablesTest {
         return Arrays.stream(sizes).boxed().toList();
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void compilersNameTheFileAndLineOfAnErrorBehindTheTables(Device device) {
         assumeFalse(device.platform().contains("NVIDIA"), "NVIDIA's compiler counts lines from the start of the text");
         KernelSource source = WorldSource.tables().and(KernelSource.ofText("wrong.cl", "\nint wrong = nothing;\n"));
@@ -163,8 +157,6 @@ class WorldTablesTest {
     void aRowOfAnotherLengthThanItSaysIsRefused() {
         HostStruct<float[]> struct =
                 new HostStruct<float[]>("Some").field("float", "both[2]", 2, (from, to) -> to.put(from[0]), "two");
-        assertThatThrownBy(() -> struct.pack(new float[] {1f}, new int[2]))
-                .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("Some.both[2]");
+        assertIllegalState("Some.both[2]", () -> struct.pack(new float[] {1f}, new int[2]));
     }
 }

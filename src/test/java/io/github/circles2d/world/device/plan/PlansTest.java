@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.model.Bounds;
@@ -15,19 +15,12 @@ import io.github.circles2d.world.model.GridLevels;
 import java.nio.IntBuffer;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Which plan makes a step, and what a device compiles. */
 class PlansTest {
     private static final int MANY_CIRCLES = 1_000_000;
 
-    static Iterable<Device> devices() {
-        return TestDevices.all();
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void theLastPlanOfEveryRowSuitsAllSteps(Device device) {
         for (Plans row : Plans.values()) {
             List<Plan> plans = row.of(device);
@@ -37,8 +30,7 @@ class PlansTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aStepGoesToTheFirstPlanThatSuitsIt(Device device) {
         List<Plan> gpu = Plans.PERSISTENT_GPU.of(device);
         assertThat(Plans.first(gpu, steps(1, 1000, false))).isInstanceOf(PersistentGpu.class);
@@ -48,24 +40,21 @@ class PlansTest {
         assertThat(Plans.first(gpu, steps(2, 1000, true))).isInstanceOf(Tiles.class);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void stepsInWhichCirclesSleepHaveALaunchAStage(Device device) {
         Steps steps = sleeping(steps(1, 1000, false));
         assertThat(Plans.first(Plans.PERSISTENT_GPU.of(device), steps)).isInstanceOf(Tiles.class);
         assertThat(Plans.first(Plans.COLOURS.of(device), steps)).isInstanceOf(ByColours.class);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aProcessorMakesStepsByColours(Device device) {
         assumeThat(device.kind()).isEqualTo(Device.Kind.CPU);
         assertThat(Plans.choose(device)).isEqualTo(Plans.COLOURS);
         assertThat(Plans.COLOURS.of(device)).singleElement().isInstanceOf(ByColours.class);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void stepsThatRecordWhatContactsDoAreMadeByTheSamePlans(Device device) {
         for (Plans row : Plans.values()) {
             for (Steps silent : new Steps[] {steps(1, 1000, false), steps(2, 1000, false), steps(1, 1000, true)}) {
@@ -75,8 +64,7 @@ class PlansTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void stepsThatTurnAreMadeByTheSamePlansIfTilesHaveRoom(Device device) {
         assumeThat(Tiles.holdTurning(device)).isTrue();
         for (Plans row : Plans.values()) {
@@ -117,8 +105,7 @@ class PlansTest {
                 s.waking());
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void tilesThatNeverDoAreGivenUpForAWhile(Device device) {
         List<Plan> plans = Plans.PERSISTENT_GPU.of(device);
         Steps steps = steps(1, 1000, false);
@@ -132,8 +119,7 @@ class PlansTest {
         assertThat(Plans.first(plans, steps)).isInstanceOf(PersistentGpu.class);
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void aDeviceCompilesNoFileThatItsPlansDoNotNeed(Device device) {
         assertThat(Plans.source(Plans.COLOURS.of(device)).toString()).doesNotContain("Tile", "PersistentGpu");
         assertThat(Plans.source(Plans.TILES.of(device)).toString())
@@ -142,8 +128,7 @@ class PlansTest {
     }
 
     /** Hopper gives work-groups 196 KiB of local memory, or takes 32 KiB more from its cache; the driver adds 1 KiB to each. */
-    @ParameterizedTest
-    @MethodSource("devices")
+    @OnEachDevice
     void sevenWorkGroupsOfAPassByTilesLeaveHopperItsCache(Device device) {
         KernelSource source = Plans.source(Plans.TILES.of(device), device)
                 .and(KernelSource.ofText(
