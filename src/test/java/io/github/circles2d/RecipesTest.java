@@ -404,7 +404,7 @@ class RecipesTest {
         float cameraX = world.x(player), cameraY = world.y(player);
         FloatBuffer at = world.positionsById(null);
         for (int id = 0; id < world.idLimit(); id++) {
-            if (world.handle(id) != 0) { // each on the side of the seam on which the camera is
+            if (world.handle(id) != 0) {
                 draw(
                         cameraX + world.shortestX(cameraX, at.get(2 * id)),
                         cameraY + world.shortestY(cameraY, at.get(2 * id + 1)));

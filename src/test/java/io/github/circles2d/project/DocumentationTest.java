@@ -341,7 +341,7 @@ class DocumentationTest {
         for (Path page : written) {
             words += read(page.toString()).trim().split("\\s+").length;
         }
-        assertThat(words).isLessThanOrEqualTo(68_783);
+        assertThat(words).isLessThanOrEqualTo(60_000);
     }
 
     @Test
