@@ -7,11 +7,14 @@ final class RigidContact {
     RigidThing a;
     RigidThing b;
 
-    /** The corner of A, by its number among all. */
-    int corner;
+    /** The corner of A. */
+    RigidCorner corner;
 
-    /** The line of B, or its corner. */
-    int feature;
+    /** The line of B, or null. */
+    RigidLine line;
+
+    /** The corner of B, or null. */
+    RigidCorner itsCorner;
 
     // as KeptContacts has them: the form with the feature of the pair's body, and the feature of the other
     int first;
@@ -104,7 +107,7 @@ final class RigidContact {
     }
 
     boolean isLine() {
-        return form() != KeptContacts.BOTH;
+        return line != null;
     }
 
     /** How far the place of A is from that of B. */

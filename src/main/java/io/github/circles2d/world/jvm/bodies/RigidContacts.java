@@ -51,10 +51,10 @@ final class RigidContacts {
     RigidContacts(RigidPairs near, Team team) {
         this.near = near;
         this.team = team;
-        measures = new RigidMeasures(near.things);
+        measures = new RigidMeasures();
         finders = new RigidFeatures[team.most()];
         for (int worker = 0; worker < finders.length; worker++) {
-            finders[worker] = new RigidFeatures(near.things);
+            finders[worker] = new RigidFeatures();
         }
     }
 
@@ -256,16 +256,15 @@ final class RigidContacts {
         RigidContact c = probed;
         c.first = of.formAndFeature(o);
         c.second = of.featureOfB(o);
-        boolean swapped = c.form() == SWAPPED;
-        boolean line = c.form() == CORNER_ON_LINE;
-        int firstOfB = line ? pair.b.firstLine : pair.b.firstCorner;
-        if (c.second < 0 || c.second >= (line ? pair.b.endLine : pair.b.endCorner) - firstOfB) {
+        boolean onLine = c.form() == CORNER_ON_LINE;
+        if (c.second < 0 || c.second >= (onLine ? pair.b.lineCount : pair.b.cornerCount)) {
             return null;
         }
-        int ofA = (swapped ? pair.a.firstLine : pair.a.firstCorner) + KeptContacts.feature(c.first);
-        int ofB = firstOfB + c.second;
-        c.corner = swapped ? ofB : ofA;
-        c.feature = swapped ? ofA : ofB;
+        int feature = KeptContacts.feature(c.first);
+        boolean swapped = c.form() == SWAPPED;
+        c.corner = swapped ? pair.b.corners[c.second] : pair.a.corners[feature];
+        c.line = swapped ? pair.a.lines[feature] : onLine ? pair.b.lines[c.second] : null;
+        c.itsCorner = c.line == null ? pair.b.corners[c.second] : null;
         c.begin(pair);
         measures.measure(c);
         c.impulse = of.impulse(o);

@@ -1,12 +1,5 @@
 package io.github.circles2d.world.jvm.bodies;
 
-import static io.github.circles2d.world.bodies.OutlineShape.BEND;
-import static io.github.circles2d.world.bodies.OutlineShape.LENGTH;
-import static io.github.circles2d.world.bodies.OutlineShape.NX;
-import static io.github.circles2d.world.bodies.OutlineShape.NY;
-import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
-import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
-
 import io.github.circles2d.world.model.CircleMath;
 
 /** Measures contacts of rigid bodies as their things have moved. */
@@ -17,12 +10,7 @@ final class RigidMeasures {
     /** The cosine of the angle by which a normal turns at most from one measure to the next if impulses are to stay. */
     private static final float SAME_WAY = 0.98f;
 
-    private final RigidThings things;
     private float h;
-
-    RigidMeasures(RigidThings things) {
-        this.things = things;
-    }
 
     /** Begins a step with so long sub-steps. */
     void begin(float subStep) {
@@ -34,24 +22,23 @@ final class RigidMeasures {
      * taken back along another one, and slow down what slides.
      */
     void measure(RigidContact c) {
-        float[] corners = things.turnedCorner;
+        RigidCorner corner = c.corner;
         float nx = c.nx;
         float ny = c.ny;
-        int at = RigidThings.corner(c.corner);
-        float px = corners[at];
-        float py = corners[at + 1];
-        float r = corners[at + BEND] + corners[at + RADIUS];
+        float px = corner.x;
+        float py = corner.y;
+        float r = corner.bend + corner.radius;
         float x = c.x();
         float y = c.y();
-        int end = beyond(c, x + px, y + py);
+        int end = corner.isBent() ? beyond(c, x + px, y + py) : 0;
         if (end != 0) {
-            px += r * corners[at + end];
-            py += r * corners[at + end + 1];
+            px += r * corner.endX(end);
+            py += r * corner.endY(end);
             r = 0f;
         }
-        if (!c.isLine()) {
+        if (c.line == null) {
             onCorner(c, x + px, y + py, r);
-        } else if (things.isHollow(c.feature)) {
+        } else if (c.line.isHollow()) {
             inHollow(c, x + px, y + py, r);
         } else {
             onLine(c, x, y, px, py, r);
@@ -67,33 +54,25 @@ final class RigidMeasures {
     }
 
     /** The end of an arc at (x, y) with which it touches if it has turned so far that its cone has no normal of the contact; 0 if there is none. */
-    private int beyond(RigidContact c, float x, float y) {
-        if (!things.isBent(c.corner)) {
-            return 0;
+    private static int beyond(RigidContact c, float x, float y) {
+        RigidLine line = c.line;
+        if (line == null) {
+            return c.a.endOf(c.corner, c.itsCorner.x - x, c.itsCorner.y - y);
         }
-        if (!c.isLine()) {
-            int to = RigidThings.corner(c.feature);
-            return things.endOf(c.a, c.corner, things.turnedCorner[to] - x, things.turnedCorner[to + 1] - y);
-        }
-        float[] lines = things.turnedLine;
-        int line = RigidThings.line(c.feature);
-        return things.isHollow(c.feature)
-                ? things.endOf(c.a, c.corner, x - lines[line], y - lines[line + 1])
-                : things.endOf(c.a, c.corner, -lines[line + NX], -lines[line + NY]);
+        return line.isHollow() ? c.a.endOf(c.corner, x - line.x, y - line.y) : c.a.endOf(c.corner, -line.nx, -line.ny);
     }
 
     /** (x, y): of A's corner, against the place of B. */
-    private void onCorner(RigidContact c, float x, float y, float r) {
-        float[] corners = things.turnedCorner;
-        int to = RigidThings.corner(c.feature);
-        float rx = x - corners[to];
-        float ry = y - corners[to + 1];
-        float itsRadius = corners[to + BEND] + corners[to + RADIUS];
-        int end = things.isBent(c.feature) ? things.endOf(c.b, c.feature, rx, ry) : 0;
+    private static void onCorner(RigidContact c, float x, float y, float r) {
+        RigidCorner other = c.itsCorner;
+        float rx = x - other.x;
+        float ry = y - other.y;
+        float itsRadius = other.bend + other.radius;
+        int end = other.isBent() ? c.b.endOf(other, rx, ry) : 0;
         if (end == 0) {
             atPoint(c, rx, ry, r + itsRadius);
         } else {
-            atPoint(c, rx - itsRadius * corners[to + end], ry - itsRadius * corners[to + end + 1], r);
+            atPoint(c, rx - itsRadius * other.endX(end), ry - itsRadius * other.endY(end), r);
         }
     }
 
@@ -106,12 +85,11 @@ final class RigidMeasures {
         }
     }
 
-    private void inHollow(RigidContact c, float x, float y, float r) {
-        int line = RigidThings.line(c.feature);
-        float rx = x - things.turnedLine[line];
-        float ry = y - things.turnedLine[line + 1];
+    private static void inHollow(RigidContact c, float x, float y, float r) {
+        float rx = x - c.line.x;
+        float ry = y - c.line.y;
         float d = CircleMath.length(rx, ry);
-        float gap = (-1f * things.turnedLine[line + LENGTH] - d) - r;
+        float gap = (-1f * c.line.length - d) - r;
         if (d > 0f) {
             set(c, -1f * rx / d, -1f * ry / d, gap);
         } else {
@@ -122,13 +100,12 @@ final class RigidMeasures {
     private void onLine(RigidContact c, float x, float y, float px, float py, float r) {
         RigidThing t = c.a;
         RigidThing other = c.b;
-        int line = RigidThings.line(c.feature);
-        float rx = x + px - things.turnedLine[line];
-        float ry = y + py - things.turnedLine[line + 1];
-        float lx = things.turnedLine[line + NX];
-        float ly = things.turnedLine[line + NY];
-        float length = things.turnedLine[line + LENGTH];
-        float reach = r + things.turnedLine[line + THICKNESS];
+        float rx = x + px - c.line.x;
+        float ry = y + py - c.line.y;
+        float lx = c.line.nx;
+        float ly = c.line.ny;
+        float length = c.line.length;
+        float reach = r + c.line.thickness;
         float height = rx * lx + ry * ly;
         float along = ry * lx - rx * ly;
         float more = GOES_ON * (t.ownW > 0f || other.ownW == 0f ? t.thin : other.thin);

@@ -253,7 +253,7 @@ public final class RigidPasses {
         t.dx += t.vx * k.h;
         t.dy += t.vy * k.h;
         t.turned += t.omega * k.h;
-        things.turnOn(t);
+        t.turn(false);
     }
 
     /** The relaxing pass over joints, bodies, pieces and walls. */

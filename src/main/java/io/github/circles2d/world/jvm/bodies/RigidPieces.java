@@ -38,7 +38,7 @@ final class RigidPieces {
             t.omega = terrain.motion[body + BodyRow.OMEGA] + 0f;
         }
         if (PieceRow.form(shape) == PieceRow.ARC) {
-            addArc(rows, row, shape, px, py);
+            addArc(t, rows, row, shape, px, py);
         } else {
             addLine(t, rows, row, shape, px, py);
         }
@@ -57,30 +57,30 @@ final class RigidPieces {
         float endY = rows[row + PieceRow.END_Y] - py;
         float startX = rows[row + PieceRow.START_X] - px;
         float startY = rows[row + PieceRow.START_Y] - py;
-        things.addLine(startX, startY, nx, ny, length, thickness);
+        t.addLine(startX, startY, nx, ny, length, thickness);
         if (PieceRow.form(shape) == PieceRow.SEGMENT && !t.oneWay) {
-            things.addLine(endX, endY, -1f * nx, -1f * ny, length, thickness);
+            t.addLine(endX, endY, -1f * nx, -1f * ny, length, thickness);
         }
-        addStart(shape, startX, startY, thickness, nx, ny);
-        addEnd(rows, row, shape, endX, endY, thickness, nx, ny);
+        addStart(t, shape, startX, startY, thickness, nx, ny);
+        addEnd(t, rows, row, shape, endX, endY, thickness, nx, ny);
     }
 
     /** A free end has half a turn; a joint belongs to the piece that ends there. */
-    private void addStart(int shape, float x, float y, float r, float nx, float ny) {
+    private void addStart(RigidThing t, int shape, float x, float y, float r, float nx, float ny) {
         if (PieceRow.startJoint(shape) == PieceRow.FREE) {
-            things.addCorner(x, y, r, -1f * nx, -1f * ny, nx, ny);
+            t.addCorner(x, y, r, -1f * nx, -1f * ny, nx, ny);
         }
     }
 
-    private void addEnd(float[] rows, int row, int shape, float x, float y, float r, float nx, float ny) {
+    private void addEnd(RigidThing t, float[] rows, int row, int shape, float x, float y, float r, float nx, float ny) {
         if (PieceRow.endJoint(shape) == PieceRow.FREE) {
-            things.addCorner(x, y, r, nx, ny, -1f * nx, -1f * ny);
+            t.addCorner(x, y, r, nx, ny, -1f * nx, -1f * ny);
         } else if (PieceRow.endJoint(shape) == PieceRow.CONVEX) {
-            things.addCorner(x, y, r, nx, ny, rows[row + PieceRow.NEXT_Y], -1f * rows[row + PieceRow.NEXT_X]);
+            t.addCorner(x, y, r, nx, ny, rows[row + PieceRow.NEXT_Y], -1f * rows[row + PieceRow.NEXT_X]);
         }
     }
 
-    private void addArc(float[] rows, int row, int shape, float px, float py) {
+    private void addArc(RigidThing t, float[] rows, int row, int shape, float px, float py) {
         float r = rows[row + PieceRow.LENGTH];
         float spread = rows[row + PieceRow.SPREAD];
         boolean hollow = (shape & PieceRow.SOLID_OUTSIDE) != 0;
@@ -90,9 +90,9 @@ final class RigidPieces {
         float cy = -1f * py;
         if (spread == PieceRow.ALL_AROUND) {
             if (hollow) {
-                things.addLine(cx, cy, mx, my, -r, spread);
+                t.addLine(cx, cy, mx, my, -r, spread);
             } else {
-                things.addDisc(cx, cy, r);
+                t.addDisc(cx, cy, r);
             }
             return;
         }
@@ -101,14 +101,14 @@ final class RigidPieces {
         float ex = rows[row + PieceRow.END_X];
         float ey = rows[row + PieceRow.END_Y];
         if (hollow) {
-            things.addLine(cx, cy, mx, my, -r, spread);
-            addStart(shape, sx - px, sy - py, 0f, -1f * sx / r, -1f * sy / r);
-            addEnd(rows, row, shape, ex - px, ey - py, 0f, -1f * ex / r, -1f * ey / r);
+            t.addLine(cx, cy, mx, my, -r, spread);
+            addStart(t, shape, sx - px, sy - py, 0f, -1f * sx / r, -1f * sy / r);
+            addEnd(t, rows, row, shape, ex - px, ey - py, 0f, -1f * ex / r, -1f * ey / r);
         } else {
-            things.addCorner(cx, cy, r, sx / r, sy / r, mx, my);
-            things.addCorner(cx, cy, r, mx, my, ex / r, ey / r);
-            addStart(shape, sx - px, sy - py, 0f, sx / r, sy / r);
-            addEnd(rows, row, shape, ex - px, ey - py, 0f, ex / r, ey / r);
+            t.addCorner(cx, cy, r, sx / r, sy / r, mx, my);
+            t.addCorner(cx, cy, r, mx, my, ex / r, ey / r);
+            addStart(t, shape, sx - px, sy - py, 0f, sx / r, sy / r);
+            addEnd(t, rows, row, shape, ex - px, ey - py, 0f, ex / r, ey / r);
         }
     }
 
@@ -123,7 +123,7 @@ final class RigidPieces {
             t.sin = terrain.motion[pose + BodyRow.SIN];
         }
         if (motion != 0 || boundary == 0) {
-            things.place(t);
+            t.place(true);
         }
     }
 
@@ -135,15 +135,15 @@ final class RigidPieces {
         RigidThing t;
         if (wall < 2) {
             t = things.add(type, wall, lower ? k.bounds.minX() : k.bounds.maxX(), 0f);
-            things.addLine(0f, -side * FAR, side, 0f, 2f * FAR, 0f);
+            t.addLine(0f, -side * FAR, side, 0f, 2f * FAR, 0f);
             t.vx = side * k.walls.speedFor(wall, reach) + 0f; // never -0
         } else {
             t = things.add(type, wall, 0f, lower ? k.bounds.minY() : k.bounds.maxY());
-            things.addLine(side * FAR, 0f, 0f, side, 2f * FAR, 0f);
+            t.addLine(side * FAR, 0f, 0f, side, 2f * FAR, 0f);
             t.vy = side * k.walls.speedFor(wall, reach) + 0f;
         }
         poseWall(t, 0, k);
-        things.place(t);
+        t.place(true);
         return t;
     }
 
