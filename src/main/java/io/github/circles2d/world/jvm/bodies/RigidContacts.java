@@ -16,7 +16,6 @@ import java.util.Arrays;
 final class RigidContacts {
     private final RigidPairs near;
     private final Team team;
-    final RigidMeasures measures;
 
     /** By worker. */
     private final RigidFeatures[] finders;
@@ -51,7 +50,6 @@ final class RigidContacts {
     RigidContacts(RigidPairs near, Team team) {
         this.near = near;
         this.team = team;
-        measures = new RigidMeasures();
         finders = new RigidFeatures[team.most()];
         for (int worker = 0; worker < finders.length; worker++) {
             finders[worker] = new RigidFeatures();
@@ -64,7 +62,6 @@ final class RigidContacts {
     void find(RigidStep bodies, StepConstants constants) {
         step = bodies;
         k = constants;
-        measures.begin(k.h);
         int pieces = team.pieces();
         if (ofPiece.length < 2 * pieces) {
             ofPiece = new int[2 * pieces];
@@ -186,7 +183,7 @@ final class RigidContacts {
         for (int n = pair.begin; n < pair.end; n++) {
             RigidContact c = all[n];
             c.begin(pair);
-            measures.measure(c);
+            c.measure(k.h);
             for (int o = pair.firstOld; o < pair.endOld; o++) {
                 if (known.formAndFeature(o) == c.first && known.featureOfB(o) == c.second) {
                     take(c, o);
@@ -266,7 +263,7 @@ final class RigidContacts {
         c.line = swapped ? pair.a.lines[feature] : onLine ? pair.b.lines[c.second] : null;
         c.itsCorner = c.line == null ? pair.b.corners[c.second] : null;
         c.begin(pair);
-        measures.measure(c);
+        c.measure(k.h);
         c.impulse = of.impulse(o);
         c.grip = of.grip(o);
         return c;

@@ -132,7 +132,7 @@ final class RigidCover {
     /** Whether a thing has a pressed contact that is a plane over which what it meets by c is no higher. */
     private boolean isCovered(RigidContact c, RigidThing t) {
         boolean ownCorner = c.a == t;
-        RigidLine line = ownCorner ? c.line : null;
+        RigidThing.Line line = ownCorner ? c.line : null;
         RigidCorner its = ownCorner ? c.itsCorner : c.corner;
         if (head[t.number] < 0 || line != null && (line.isHollow() || c.b.type == RigidStep.BODY_WALL)) {
             return false;
@@ -172,7 +172,7 @@ final class RigidCover {
         return !isHigher(x + its.x, y + its.y, nx, ny, slack - its.radius);
     }
 
-    private boolean isLineUnder(int of, RigidLine line, float atX, float atY, float slack) {
+    private boolean isLineUnder(int of, RigidThing.Line line, float atX, float atY, float slack) {
         float nx = plane[of];
         float ny = plane[of + 1];
         float most = slack - line.thickness;

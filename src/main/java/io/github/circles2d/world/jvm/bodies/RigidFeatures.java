@@ -26,7 +26,11 @@ final class RigidFeatures {
     /** How deep a body in front of a one-way piece may be in it, in half thicknesses. */
     private static final float ROUNDED = 1e-4f;
 
-    private final RigidCrossing crossing = new RigidCrossing();
+    /** The sine of the least angle of lines that cross: of nearly parallel ones rounding decides. */
+    private static final float LEAST_SINE = 0.05f;
+
+    /** The sine of the greatest angle of long bodies that cross, and hold each other by their ends. */
+    private static final float GREATEST_SINE = 0.45f;
 
     /** Those that have been found in the step, of all pairs. */
     RigidContact[] found = {};
@@ -46,6 +50,12 @@ final class RigidFeatures {
     private float tolerance;
     private boolean fast;
     private boolean swapped;
+
+    // of lines that cross: the corner and the line by which they leave each other, and how far they are apart
+    private RigidCorner crossing;
+    private RigidThing.Line crossed;
+    private float least;
+    private float greatestSine;
 
     /** Begins a step, in which nothing has been found. */
     void begin(KeptContacts ofStepBefore, float timeStep) {
@@ -84,7 +94,7 @@ final class RigidFeatures {
             RigidCorner arc = piece.corners[0];
             return fromCentre(c, px - arc.x, py - arc.y, -1f) - arc.radius;
         }
-        RigidLine line = piece.lines[0];
+        RigidThing.Line line = piece.lines[0];
         float rx = px - line.x;
         float ry = py - line.y;
         if (line.isHollow()) {
@@ -119,10 +129,9 @@ final class RigidFeatures {
         swapped = true;
         cornersOf(other, t, -atX, -atY);
         boolean touch = count > from;
-        if (other.shape != null && (!touch || areOpposed(from)) && crossing.find(t, other, atX, atY, touch)) {
+        if (other.shape != null && (!touch || areOpposed(from)) && cross(t, other, atX, atY, touch)) {
             count = from;
-            swapped = crossing.swapped;
-            add(crossing.corner, crossing.line, null);
+            add(crossing, crossed, null);
         }
     }
 
@@ -183,13 +192,13 @@ final class RigidFeatures {
     /** A corner, which is at (px, py) and goes with (ux, uy). */
     private void cornerOnLines(RigidThing t, RigidThing other, RigidCorner c, float px, float py, float ux, float uy) {
         int from = count;
-        RigidLine deepest = null;
+        RigidThing.Line deepest = null;
         float deepestHeight = Float.NEGATIVE_INFINITY;
         float deepestReach = 0f;
         float deepestX = px;
         float deepestY = py;
         for (int n = 0; n < other.lineCount; n++) {
-            RigidLine line = other.lines[n];
+            RigidThing.Line line = other.lines[n];
             float rx = px - line.x;
             float ry = py - line.y;
             if (line.isHollow()) {
@@ -260,12 +269,12 @@ final class RigidFeatures {
     }
 
     /** Whether the place of the thing is in front of a line. */
-    private boolean isBefore(RigidLine line) {
+    private boolean isBefore(RigidThing.Line line) {
         return (x - line.x) * line.nx + (y - line.y) * line.ny > 0f;
     }
 
     /** A corner inside an arc that is solid outside, from whose centre it is (atX, atY) away. */
-    private void cornerInHollow(RigidCorner c, RigidLine hollow, float atX, float atY) {
+    private void cornerInHollow(RigidCorner c, RigidThing.Line hollow, float atX, float atY) {
         float rx = atX;
         float ry = atY;
         float d = CircleMath.length(rx, ry);
@@ -306,8 +315,84 @@ final class RigidFeatures {
         }
     }
 
+    // ---- lines that cross
+
+    /**
+     * Finds how two bodies leave each other whose lines cross, like an X: by the corner and the line that are the least way from being apart, as if
+     * the line had no ends. The bodies have no contact, or long ones touch, and hold each other by their ends. Whether there are such lines, from
+     * which the first body is (atX, atY) away from the other.
+     */
+    private boolean cross(RigidThing t, RigidThing other, float atX, float atY, boolean touch) {
+        greatestSine = touch ? GREATEST_SINE : 2f;
+        crossing = null;
+        least = Float.NEGATIVE_INFINITY;
+        cornersOnLines(t, other, atX, atY, false);
+        if (crossing != null) { // else none cross
+            cornersOnLines(other, t, -atX, -atY, true);
+        }
+        return crossing != null;
+    }
+
+    private void cornersOnLines(RigidThing t, RigidThing other, float atX, float atY, boolean areSwapped) {
+        for (int n = 0; n < other.lineCount; n++) {
+            if (!other.lines[n].isHollow() && crosses(t, other.lines[n], atX, atY)) {
+                take(t, other.lines[n], atX, atY, areSwapped);
+            }
+        }
+    }
+
+    /** Whether a line crosses one of a thing. */
+    private boolean crosses(RigidThing t, RigidThing.Line to, float atX, float atY) {
+        for (int n = 0; n < t.lineCount; n++) {
+            RigidThing.Line line = t.lines[n];
+            float sine = Math.abs(to.nx * line.ny - to.ny * line.nx);
+            if (line.isHollow() || sine < LEAST_SINE || sine > greatestSine) {
+                continue;
+            }
+            float rx = atX + line.x - to.x;
+            float ry = atY + line.y - to.y;
+            float endX = rx - line.length * line.ny;
+            float endY = ry + line.length * line.nx;
+            boolean ofLine = rx * to.nx + ry * to.ny > 0f != endX * to.nx + endY * to.ny > 0f;
+            float itsX = -rx - to.length * to.ny;
+            float itsY = -ry + to.length * to.nx;
+            if (ofLine && -rx * line.nx - ry * line.ny > 0f != itsX * line.nx + itsY * line.ny > 0f) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Takes the deepest corner of a thing behind a line, if that is less deep than what has been taken. */
+    private void take(RigidThing t, RigidThing.Line to, float atX, float atY, boolean areSwapped) {
+        RigidCorner deepest = null;
+        float apart = Float.POSITIVE_INFINITY;
+        for (int n = 0; n < t.cornerCount; n++) {
+            RigidCorner c = t.corners[n];
+            float rx = atX + c.x - to.x;
+            float ry = atY + c.y - to.y;
+            if (c.isBent()) {
+                rx += c.bentX(-to.nx, -to.ny);
+                ry += c.bentY(-to.nx, -to.ny);
+            }
+            float far = (rx * to.nx + ry * to.ny) - (c.radius + to.thickness);
+            if (far < apart) {
+                apart = far;
+                deepest = c;
+            }
+        }
+        if (apart > least) {
+            least = apart;
+            crossing = deepest;
+            crossed = to;
+            swapped = areSwapped;
+        }
+    }
+
+    // ---- contacts that have been found
+
     /** A corner, and a line or a corner of the other thing. */
-    private void add(RigidCorner corner, RigidLine line, RigidCorner itsCorner) {
+    private void add(RigidCorner corner, RigidThing.Line line, RigidCorner itsCorner) {
         if (count == found.length) {
             found = Arrays.copyOf(found, Math.max(64, 2 * count));
         }

@@ -27,7 +27,6 @@ import java.util.Arrays;
 final class RigidPairs {
     private final State state;
     final RigidThings things = new RigidThings();
-    final RigidPieces pieces = new RigidPieces(things);
     private final RigidCandidates candidates;
 
     /** By type: pairs that do not collide, since a joint holds both; of two bodies that of the lower id first. Null of what joints do not hold. */
@@ -428,7 +427,7 @@ final class RigidPairs {
             thingOfPiece = Arrays.copyOf(thingOfPiece, terrain.pieces + (terrain.pieces >> 1));
         }
         if (!isKnown(thingOfPiece[piece], BODY_PIECE, piece)) {
-            RigidThing t = pieces.add(BODY_PIECE, piece, terrain, k);
+            RigidThing t = things.addPiece(piece, terrain, k);
             takeSurface(t, KindSurface.of(t.kind));
             t.restitution = terrain.kinds.rows[KindTerrain.of(t.kind) + KindTerrain.RESTITUTION];
             t.near = 0.5f * terrain.rows[PieceRow.of(piece) + PieceRow.MOST];
@@ -439,7 +438,7 @@ final class RigidPairs {
 
     private RigidThing wallThing(int wall) {
         if (thingOfWall[wall] == null) {
-            RigidThing t = pieces.addWall(BODY_WALL, wall, k);
+            RigidThing t = things.addWall(wall, k);
             takeSurface(t, KindSurface.ofWall(wall));
             // along the tangent of the normal into the arena, and not towards greater coordinates
             t.belt = wall == 1 || wall == 2 ? -t.belt : t.belt;

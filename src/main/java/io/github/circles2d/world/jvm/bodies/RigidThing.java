@@ -17,6 +17,54 @@ import java.util.Arrays;
  * <p>A place is a base, which stays for a step, and the displacement since, as those of circles.
  */
 final class RigidThing {
+    /**
+     * A line of a {@link RigidThing}, against the place of that. Of a hollow the place is its centre, the normal is that at its middle, turned, the length minus
+     * its radius, the thickness the cosine of half its opening.
+     */
+    static final class Line {
+        /** Its number among those of the thing. */
+        final int number;
+
+        // as the thing lies unturned: where its core begins, and its normal
+        private float ownX;
+        private float ownY;
+        private float ownNx;
+        private float ownNy;
+
+        float length;
+        float thickness;
+
+        // as the thing has turned
+        float x;
+        float y;
+        float nx;
+        float ny;
+
+        Line(int number) {
+            this.number = number;
+        }
+
+        void set(float px, float py, float normalX, float normalY, float itsLength, float thick) {
+            ownX = px;
+            ownY = py;
+            ownNx = normalX;
+            ownNy = normalY;
+            length = itsLength;
+            thickness = thick;
+        }
+
+        void turn(float cos, float sin) {
+            x = cos * ownX - sin * ownY;
+            y = sin * ownX + cos * ownY;
+            nx = cos * ownNx - sin * ownNy;
+            ny = sin * ownNx + cos * ownNy;
+        }
+
+        boolean isHollow() {
+            return length < 0f;
+        }
+    }
+
     /** Its number among all. */
     final int number;
 
@@ -81,7 +129,7 @@ final class RigidThing {
 
     RigidCorner[] corners = {};
     int cornerCount;
-    RigidLine[] lines = {};
+    Line[] lines = {};
     int lineCount;
 
     /** The number of its pairs in {@link RigidOrder}. */
@@ -222,7 +270,7 @@ final class RigidThing {
             lines = Arrays.copyOf(lines, 2 * lineCount + 1);
         }
         if (lines[lineCount] == null) {
-            lines[lineCount] = new RigidLine(lineCount);
+            lines[lineCount] = new Line(lineCount);
         }
         lines[lineCount++].set(px, py, nx, ny, length, thickness);
     }
