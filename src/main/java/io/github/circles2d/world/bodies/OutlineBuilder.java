@@ -8,6 +8,94 @@ import java.util.List;
 
 /** The lines and corners of a path that is closed, simple and anticlockwise, in order. */
 final class OutlineBuilder {
+    /** A line or an arc of an outline, or a sharp corner, which is an arc without a radius. Lines and arcs lie along the surface, anticlockwise. */
+    static final class Element {
+        final boolean isLine;
+
+        // where the core of a line begins, or the centre of an arc
+        final double x;
+        final double y;
+
+        /** How thick a line is; the radius of an arc. */
+        final double r;
+
+        // the normals at both ends
+        final double ax;
+        final double ay;
+        final double bx;
+        final double by;
+
+        /** The length of a line, without the next two. */
+        double span;
+
+        // how much longer the core of a line is at both ends, where reflex corners are
+        double before;
+        double after;
+
+        /** The radius of the core of an arc. */
+        double bend;
+
+        Element(boolean isLine, double x, double y, double r, double ax, double ay, double bx, double by) {
+            this.isLine = isLine;
+            this.x = x;
+            this.y = y;
+            this.r = r;
+            this.ax = ax;
+            this.ay = ay;
+            this.bx = bx;
+            this.by = by;
+        }
+
+        /** The same, so much lower. */
+        Element lower(double byX, double byY) {
+            Element other = new Element(isLine, x - byX, y - byY, r, ax, ay, bx, by);
+            other.span = span;
+            other.before = before;
+            other.after = after;
+            other.bend = bend;
+            return other;
+        }
+
+        /** The length of a line, or the opening of an arc's cone, radians. */
+        double span() {
+            return isLine ? span : angle(ax * bx + ay * by, Math.max(0, ax * by - ay * bx));
+        }
+
+        /** A point, at a length or an angle from the start. */
+        double pointX(double at) {
+            return isLine ? x + r * ax - at * ay : x + r * normalX(at);
+        }
+
+        double pointY(double at) {
+            return isLine ? y + r * ay + at * ax : y + r * normalY(at);
+        }
+
+        private double normalX(double at) {
+            int units = (int) Rotation.units(at);
+            return at == 0 ? ax : Rotation.cos(units) * ax - Rotation.sin(units) * ay;
+        }
+
+        private double normalY(double at) {
+            int units = (int) Rotation.units(at);
+            return at == 0 ? ay : Rotation.sin(units) * ax + Rotation.cos(units) * ay;
+        }
+
+        /** Angle in radians of a unit vector's way to another, from 0 to pi, from its cosine and sine. */
+        private static double angle(double cos, double sin) {
+            int low = 0;
+            for (int bit = 1 << 30; bit > 0; bit >>= 1) {
+                // the angle is at least that of low + bit if it lies anticlockwise of it
+                int next = low + bit;
+                if (next > 0 && sin * Rotation.cos(next) - cos * Rotation.sin(next) >= 0) {
+                    low = next;
+                }
+            }
+            double c = Rotation.cos(low);
+            double s = Rotation.sin(low);
+            return low * Rotation.RADIANS_PER_UNIT + (sin * c - cos * s);
+        }
+    }
+
     /** A sine: pieces that meet at less are smooth. */
     private static final double SMOOTH = 1e-4;
 
@@ -28,7 +116,7 @@ final class OutlineBuilder {
     private final ChainPath path;
     private final double r;
     private final double width;
-    final List<OutlineElement> elements = new ArrayList<>();
+    final List<Element> elements = new ArrayList<>();
 
     // by piece: the unit tangents at both ends
     private final double[] startX;
@@ -136,7 +224,7 @@ final class OutlineBuilder {
         double inset = rounded ? r : 0;
         double x = path.x(k) + inset * (startX[k] * back[k] - startY[k]);
         double y = path.y(k) + inset * (startY[k] * back[k] + startX[k]);
-        elements.add(new OutlineElement(false, x, y, inset, endY[h], -endX[h], startY[k], -startX[k]));
+        elements.add(new Element(false, x, y, inset, endY[h], -endX[h], startY[k], -startX[k]));
     }
 
     private void addLine(int k) {
@@ -153,7 +241,7 @@ final class OutlineBuilder {
         double along = r * back[k] + before;
         double x = path.x(k) + (along * startX[k] - r * startY[k]);
         double y = path.y(k) + (along * startY[k] + r * startX[k]);
-        OutlineElement e = new OutlineElement(true, x, y, r, startY[k], -startX[k], startY[k], -startX[k]);
+        Element e = new Element(true, x, y, r, startY[k], -startX[k], startY[k], -startX[k]);
         e.span = length - before - after;
         e.before = before;
         e.after = after;
@@ -181,8 +269,7 @@ final class OutlineBuilder {
             double sin = Rotation.sin((int) units);
             double toX = part == parts ? endY[k] : cos * startY[k] + sin * startX[k];
             double toY = part == parts ? -endX[k] : sin * startY[k] - cos * startX[k];
-            OutlineElement e =
-                    new OutlineElement(false, path.centreX(k), path.centreY(k), radius, fromX, fromY, toX, toY);
+            Element e = new Element(false, path.centreX(k), path.centreY(k), radius, fromX, fromY, toX, toY);
             e.bend = bend;
             elements.add(e);
             fromX = toX;
@@ -198,7 +285,7 @@ final class OutlineBuilder {
         float[] to = new float[OutlineShape.CORNER_STRIDE * elements.size()];
         int at = 0;
         for (int k = 0; k < elements.size(); k++) {
-            OutlineElement e = elements.get(k);
+            Element e = elements.get(k);
             if (!e.isLine) {
                 boolean isPart = isPartOfArc(k);
                 to[at] = (float) (e.x - centreX);
@@ -217,8 +304,8 @@ final class OutlineBuilder {
 
     /** Whether the element before is a part of the same arc: its cone goes on a little into that one's, so that no way lies between both. */
     private boolean isPartOfArc(int k) {
-        OutlineElement e = elements.get(k);
-        OutlineElement before = elements.get(k == 0 ? elements.size() - 1 : k - 1);
+        Element e = elements.get(k);
+        Element before = elements.get(k == 0 ? elements.size() - 1 : k - 1);
         return before != e && e.bend == 0 && !before.isLine && before.x == e.x && before.y == e.y;
     }
 
@@ -226,7 +313,7 @@ final class OutlineBuilder {
     double[] edges(double centreX, double centreY) {
         double[] to = new double[OutlineShape.EDGE_STRIDE * elements.size()];
         int n = 0;
-        for (OutlineElement e : elements) {
+        for (Element e : elements) {
             if (e.isLine || e.r > 0) {
                 to[n] = e.pointX(0) - centreX;
                 to[n + 1] = e.pointY(0) - centreY;
@@ -255,7 +342,7 @@ final class OutlineBuilder {
     float[] lines(double centreX, double centreY) {
         float[] to = new float[OutlineShape.LINE_STRIDE * elements.size()];
         int at = 0;
-        for (OutlineElement e : elements) {
+        for (Element e : elements) {
             if (e.isLine) {
                 to[at] = (float) (e.x + e.before * e.ay - centreX);
                 to[at + 1] = (float) (e.y - e.before * e.ax - centreY);
@@ -273,7 +360,7 @@ final class OutlineBuilder {
     float[] core(double centreX, double centreY) {
         float[] to = new float[6 * elements.size()];
         int n = 0;
-        for (OutlineElement e : elements) {
+        for (Element e : elements) {
             double x = e.x - centreX;
             double y = e.y - centreY;
             if (e.isLine) {

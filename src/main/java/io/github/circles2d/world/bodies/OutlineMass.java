@@ -20,7 +20,7 @@ final class OutlineMass {
     private double about;
 
     /** Of elements in order; they are taken relative to the first one's place. */
-    OutlineMass(List<OutlineElement> elements) {
+    OutlineMass(List<OutlineBuilder.Element> elements) {
         double ox = elements.get(0).x;
         double oy = elements.get(0).y;
         double startX = 0;
@@ -28,7 +28,7 @@ final class OutlineMass {
         double x = 0;
         double y = 0;
         for (int k = 0; k < elements.size(); k++) {
-            OutlineElement e = elements.get(k).lower(ox, oy);
+            OutlineBuilder.Element e = elements.get(k).lower(ox, oy);
             double turn = e.span();
             double fromX = e.pointX(0);
             double fromY = e.pointY(0);
@@ -63,7 +63,7 @@ final class OutlineMass {
     }
 
     /** Between an arc and its chord. */
-    private void segment(OutlineElement arc, double turn) {
+    private void segment(OutlineBuilder.Element arc, double turn) {
         double r = arc.r;
         double cos = arc.ax * arc.bx + arc.ay * arc.by;
         double f = turn / 2;

@@ -355,7 +355,7 @@ public final class OutlineShape {
     public float[] points(float tolerance) {
         float[] to = new float[64];
         int n = 0;
-        for (OutlineElement e : new OutlineBuilder(path, rounding, width).elements) {
+        for (OutlineBuilder.Element e : new OutlineBuilder(path, rounding, width).elements) {
             double span = e.span();
             int parts = e.isLine || e.r == 0
                     ? 1

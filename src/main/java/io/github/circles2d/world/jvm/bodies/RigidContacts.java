@@ -16,7 +16,6 @@ import java.util.Arrays;
 final class RigidContacts {
     private final RigidPairs near;
     private final Team team;
-    final RigidMeasures measures;
 
     /** By worker. */
     private final RigidFeatures[] finders;
@@ -51,10 +50,9 @@ final class RigidContacts {
     RigidContacts(RigidPairs near, Team team) {
         this.near = near;
         this.team = team;
-        measures = new RigidMeasures(near.things);
         finders = new RigidFeatures[team.most()];
         for (int worker = 0; worker < finders.length; worker++) {
-            finders[worker] = new RigidFeatures(near.things);
+            finders[worker] = new RigidFeatures();
         }
     }
 
@@ -64,7 +62,6 @@ final class RigidContacts {
     void find(RigidStep bodies, StepConstants constants) {
         step = bodies;
         k = constants;
-        measures.begin(k.h);
         int pieces = team.pieces();
         if (ofPiece.length < 2 * pieces) {
             ofPiece = new int[2 * pieces];
@@ -186,7 +183,7 @@ final class RigidContacts {
         for (int n = pair.begin; n < pair.end; n++) {
             RigidContact c = all[n];
             c.begin(pair);
-            measures.measure(c);
+            c.measure(k.h);
             for (int o = pair.firstOld; o < pair.endOld; o++) {
                 if (known.formAndFeature(o) == c.first && known.featureOfB(o) == c.second) {
                     take(c, o);
@@ -256,18 +253,17 @@ final class RigidContacts {
         RigidContact c = probed;
         c.first = of.formAndFeature(o);
         c.second = of.featureOfB(o);
-        boolean swapped = c.form() == SWAPPED;
-        boolean line = c.form() == CORNER_ON_LINE;
-        int firstOfB = line ? pair.b.firstLine : pair.b.firstCorner;
-        if (c.second < 0 || c.second >= (line ? pair.b.endLine : pair.b.endCorner) - firstOfB) {
+        boolean onLine = c.form() == CORNER_ON_LINE;
+        if (c.second < 0 || c.second >= (onLine ? pair.b.lineCount : pair.b.cornerCount)) {
             return null;
         }
-        int ofA = (swapped ? pair.a.firstLine : pair.a.firstCorner) + KeptContacts.feature(c.first);
-        int ofB = firstOfB + c.second;
-        c.corner = swapped ? ofB : ofA;
-        c.feature = swapped ? ofA : ofB;
+        int feature = KeptContacts.feature(c.first);
+        boolean swapped = c.form() == SWAPPED;
+        c.corner = swapped ? pair.b.corners[c.second] : pair.a.corners[feature];
+        c.line = swapped ? pair.a.lines[feature] : onLine ? pair.b.lines[c.second] : null;
+        c.itsCorner = c.line == null ? pair.b.corners[c.second] : null;
         c.begin(pair);
-        measures.measure(c);
+        c.measure(k.h);
         c.impulse = of.impulse(o);
         c.grip = of.grip(o);
         return c;

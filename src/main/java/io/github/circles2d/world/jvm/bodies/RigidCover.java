@@ -1,11 +1,5 @@
 package io.github.circles2d.world.jvm.bodies;
 
-import static io.github.circles2d.world.bodies.OutlineShape.LENGTH;
-import static io.github.circles2d.world.bodies.OutlineShape.NX;
-import static io.github.circles2d.world.bodies.OutlineShape.NY;
-import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
-import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
-
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Tuning;
@@ -138,9 +132,9 @@ final class RigidCover {
     /** Whether a thing has a pressed contact that is a plane over which what it meets by c is no higher. */
     private boolean isCovered(RigidContact c, RigidThing t) {
         boolean ownCorner = c.a == t;
-        boolean meetsLine = ownCorner && c.isLine();
-        int its = ownCorner ? c.feature : c.corner;
-        if (head[t.number] < 0 || meetsLine && (things.isHollow(its) || c.b.type == RigidStep.BODY_WALL)) {
+        RigidThing.Line line = ownCorner ? c.line : null;
+        RigidCorner its = ownCorner ? c.itsCorner : c.corner;
+        if (head[t.number] < 0 || line != null && (line.isHollow() || c.b.type == RigidStep.BODY_WALL)) {
             return false;
         }
         float slack = slack(t);
@@ -153,7 +147,7 @@ final class RigidCover {
         for (int side = head[t.number]; side >= 0; side = next[side]) {
             int at = PLANE_STRIDE * side;
             if (nx * plane[at] + ny * plane[at + 1] <= SAME
-                    && (meetsLine ? isLineUnder(at, its, x, y, slack) : isCornerUnder(at, its, x, y, slack))
+                    && (line != null ? isLineUnder(at, line, x, y, slack) : isCornerUnder(at, its, x, y, slack))
                     && liesAbove(side, t, slack)) {
                 return true;
             }
@@ -170,40 +164,32 @@ final class RigidCover {
     }
 
     /** Whether a corner of a thing at (atX, atY) is no higher than a plane. */
-    private boolean isCornerUnder(int of, int its, float atX, float atY, float slack) {
+    private boolean isCornerUnder(int of, RigidCorner its, float atX, float atY, float slack) {
         float nx = plane[of];
         float ny = plane[of + 1];
-        float x = atX - plane[of + 2] + things.bentX(its, nx, ny);
-        float y = atY - plane[of + 3] + things.bentY(its, nx, ny);
-        int at = RigidThings.corner(its);
-        return !isHigher(
-                x + things.turnedCorner[at],
-                y + things.turnedCorner[at + 1],
-                nx,
-                ny,
-                slack - things.turnedCorner[at + RADIUS]);
+        float x = atX - plane[of + 2] + its.bentX(nx, ny);
+        float y = atY - plane[of + 3] + its.bentY(nx, ny);
+        return !isHigher(x + its.x, y + its.y, nx, ny, slack - its.radius);
     }
 
-    private boolean isLineUnder(int of, int its, float atX, float atY, float slack) {
+    private boolean isLineUnder(int of, RigidThing.Line line, float atX, float atY, float slack) {
         float nx = plane[of];
         float ny = plane[of + 1];
-        int line = RigidThings.line(its);
-        float length = things.turnedLine[line + LENGTH];
-        float most = slack - things.turnedLine[line + THICKNESS];
-        float sx = atX - plane[of + 2] + things.turnedLine[line];
-        float sy = atY - plane[of + 3] + things.turnedLine[line + 1];
-        float ex = sx - things.turnedLine[line + NY] * length;
-        float ey = sy + things.turnedLine[line + NX] * length;
+        float most = slack - line.thickness;
+        float sx = atX - plane[of + 2] + line.x;
+        float sy = atY - plane[of + 3] + line.y;
+        float ex = sx - line.ny * line.length;
+        float ey = sy + line.nx * line.length;
         return !isHigher(sx, sy, nx, ny, most) && !isHigher(ex, ey, nx, ny, most);
     }
 
     /** Whether a thing is wholly above a plane through a point. */
-    private boolean isAbove(RigidThing t, float nx, float ny, float px, float py, float slack) {
-        for (int k = t.firstCorner; k < t.endCorner; k++) {
-            int at = RigidThings.corner(k);
-            float x = things.turnedCorner[at] - px + things.bentX(k, -nx, -ny);
-            float y = things.turnedCorner[at + 1] - py + things.bentY(k, -nx, -ny);
-            if ((x * nx + y * ny) - things.turnedCorner[at + RADIUS] < -slack) {
+    private static boolean isAbove(RigidThing t, float nx, float ny, float px, float py, float slack) {
+        for (int k = 0; k < t.cornerCount; k++) {
+            RigidCorner c = t.corners[k];
+            float x = c.x - px + c.bentX(-nx, -ny);
+            float y = c.y - py + c.bentY(-nx, -ny);
+            if ((x * nx + y * ny) - c.radius < -slack) {
                 return false;
             }
         }

@@ -3,12 +3,6 @@ package io.github.circles2d.world.jvm.bodies;
 import static io.github.circles2d.world.bodies.KeptContacts.BOTH;
 import static io.github.circles2d.world.bodies.KeptContacts.CORNER_ON_LINE;
 import static io.github.circles2d.world.bodies.KeptContacts.SWAPPED;
-import static io.github.circles2d.world.bodies.OutlineShape.BEND;
-import static io.github.circles2d.world.bodies.OutlineShape.LENGTH;
-import static io.github.circles2d.world.bodies.OutlineShape.NX;
-import static io.github.circles2d.world.bodies.OutlineShape.NY;
-import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
-import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
 
 import io.github.circles2d.world.bodies.KeptContacts;
 import io.github.circles2d.world.bodies.RigidStep;
@@ -32,8 +26,11 @@ final class RigidFeatures {
     /** How deep a body in front of a one-way piece may be in it, in half thicknesses. */
     private static final float ROUNDED = 1e-4f;
 
-    private final RigidThings things;
-    private final RigidCrossing crossing;
+    /** The sine of the least angle of lines that cross: of nearly parallel ones rounding decides. */
+    private static final float LEAST_SINE = 0.05f;
+
+    /** The sine of the greatest angle of long bodies that cross, and hold each other by their ends. */
+    private static final float GREATEST_SINE = 0.45f;
 
     /** Those that have been found in the step, of all pairs. */
     RigidContact[] found = {};
@@ -54,10 +51,11 @@ final class RigidFeatures {
     private boolean fast;
     private boolean swapped;
 
-    RigidFeatures(RigidThings things) {
-        this.things = things;
-        crossing = new RigidCrossing(things);
-    }
+    // of lines that cross: the corner and the line by which they leave each other, and how far they are apart
+    private RigidCorner crossing;
+    private RigidThing.Line crossed;
+    private float least;
+    private float greatestSine;
 
     /** Begins a step, in which nothing has been found. */
     void begin(KeptContacts ofStepBefore, float timeStep) {
@@ -81,11 +79,9 @@ final class RigidFeatures {
         float slack = ROUNDED * t.thin;
         float x = pair.x();
         float y = pair.y();
-        for (int c = t.firstCorner; c < t.endCorner; c++) {
-            int at = RigidThings.corner(c);
-            float px = x + things.turnedCorner[at];
-            float py = y + things.turnedCorner[at + 1];
-            if (frontOf(piece, c, px, py) - things.turnedCorner[at + RADIUS] < -slack) {
+        for (int n = 0; n < t.cornerCount; n++) {
+            RigidCorner c = t.corners[n];
+            if (frontOf(piece, c, x + c.x, y + c.y) - c.radius < -slack) {
                 return false;
             }
         }
@@ -93,34 +89,31 @@ final class RigidFeatures {
     }
 
     /** How far the core of a corner is in front of a piece, against whose place it is; an arc has its circle. */
-    private float frontOf(RigidThing piece, int c, float px, float py) {
-        if (piece.firstLine == piece.endLine) {
-            int at = RigidThings.corner(piece.firstCorner);
-            return fromCentre(c, px - things.turnedCorner[at], py - things.turnedCorner[at + 1], -1f)
-                    - things.turnedCorner[at + RADIUS];
+    private static float frontOf(RigidThing piece, RigidCorner c, float px, float py) {
+        if (piece.lineCount == 0) {
+            RigidCorner arc = piece.corners[0];
+            return fromCentre(c, px - arc.x, py - arc.y, -1f) - arc.radius;
         }
-        int line = RigidThings.line(piece.firstLine);
-        float rx = px - things.turnedLine[line];
-        float ry = py - things.turnedLine[line + 1];
-        if (things.isHollow(piece.firstLine)) {
-            return -1f * things.turnedLine[line + LENGTH] - fromCentre(c, rx, ry, 1f);
+        RigidThing.Line line = piece.lines[0];
+        float rx = px - line.x;
+        float ry = py - line.y;
+        if (line.isHollow()) {
+            return -1f * line.length - fromCentre(c, rx, ry, 1f);
         }
-        float nx = things.turnedLine[line + NX];
-        float ny = things.turnedLine[line + NY];
-        rx += things.bentX(c, -nx, -ny);
-        ry += things.bentY(c, -nx, -ny);
-        return rx * nx + ry * ny - things.turnedLine[line + THICKNESS];
+        rx += c.bentX(-line.nx, -line.ny);
+        ry += c.bentY(-line.nx, -line.ny);
+        return rx * line.nx + ry * line.ny - line.thickness;
     }
 
     /** How far the core of a corner, which is at (x, y), is from a centre at most, or at least if side is -1. */
-    private float fromCentre(int c, float x, float y, float side) {
+    private static float fromCentre(RigidCorner c, float x, float y, float side) {
         float d = CircleMath.length(x, y);
-        if (!things.isBent(c) || d == 0f) {
+        if (!c.isBent() || d == 0f) {
             return d;
         }
         float nx = side * (x / d);
         float ny = side * (y / d);
-        return CircleMath.length(x + things.bentX(c, nx, ny), y + things.bentY(c, nx, ny));
+        return CircleMath.length(x + c.bentX(nx, ny), y + c.bentY(nx, ny));
     }
 
     private void findOfPair(RigidThing t, RigidThing other) {
@@ -136,10 +129,9 @@ final class RigidFeatures {
         swapped = true;
         cornersOf(other, t, -atX, -atY);
         boolean touch = count > from;
-        if (other.shape != null && (!touch || areOpposed(from)) && crossing.find(t, other, atX, atY, touch)) {
+        if (other.shape != null && (!touch || areOpposed(from)) && cross(t, other, atX, atY, touch)) {
             count = from;
-            swapped = crossing.swapped;
-            add(swapped ? other : t, swapped ? t : other, crossing.corner, crossing.line, true);
+            add(crossing, crossed, null);
         }
     }
 
@@ -149,13 +141,12 @@ final class RigidFeatures {
         float firstY = 0f;
         for (int n = from; n < count; n++) {
             RigidContact c = found[n];
-            if (!c.isLine() || things.isHollow(c.feature)) {
+            if (c.line == null || c.line.isHollow()) {
                 continue;
             }
-            int line = RigidThings.line(c.feature);
             float side = c.form() == SWAPPED ? -1f : 1f;
-            float nx = side * things.turnedLine[line + NX];
-            float ny = side * things.turnedLine[line + NY];
+            float nx = side * c.line.nx;
+            float ny = side * c.line.ny;
             if (nx * firstX + ny * firstY < 0f) {
                 return true;
             }
@@ -172,22 +163,21 @@ final class RigidFeatures {
         x = atX;
         y = atY;
         float m = pair.margin;
-        float[] corner = things.turnedCorner;
         tolerance = TOLERANCE + Math.abs(t.omega - other.omega) * dt;
         fast = m > (t.ownW > 0f ? t.thin : other.thin);
-        for (int c = t.firstCorner; c < t.endCorner; c++) {
-            int at = RigidThings.corner(c);
-            float px = atX + corner[at];
-            float py = atY + corner[at + 1];
-            float ux = t.vx - t.omega * corner[at + 1] - other.vx;
-            float uy = t.vy + t.omega * corner[at] - other.vy;
+        for (int n = 0; n < t.cornerCount; n++) {
+            RigidCorner c = t.corners[n];
+            float px = atX + c.x;
+            float py = atY + c.y;
+            float ux = t.vx - t.omega * c.y - other.vx;
+            float uy = t.vy + t.omega * c.x - other.vy;
             ux += other.omega * py;
             uy -= other.omega * px;
-            float wide = corner[at + RADIUS] + corner[at + BEND];
+            float wide = c.radius + c.bend;
             if (!isFar(other, px, py, wide + (m + dt * (Math.abs(ux) + Math.abs(uy))))) {
                 cornerOnLines(t, other, c, px, py, ux, uy);
                 if (!swapped && !isFar(other, px, py, wide + m)) {
-                    cornerOnCorners(t, other, c, px, py);
+                    cornerOnCorners(other, c, px, py);
                 }
             }
         }
@@ -200,71 +190,66 @@ final class RigidFeatures {
     }
 
     /** A corner, which is at (px, py) and goes with (ux, uy). */
-    private void cornerOnLines(RigidThing t, RigidThing other, int c, float px, float py, float ux, float uy) {
-        float m = pair.margin;
-        float[] lines = things.turnedLine;
-        float r = things.turnedCorner[RigidThings.corner(c) + RADIUS];
-        boolean bent = things.isBent(c);
+    private void cornerOnLines(RigidThing t, RigidThing other, RigidCorner c, float px, float py, float ux, float uy) {
         int from = count;
-        int deepest = -1;
+        RigidThing.Line deepest = null;
         float deepestHeight = Float.NEGATIVE_INFINITY;
         float deepestReach = 0f;
         float deepestX = px;
         float deepestY = py;
-        for (int l = other.firstLine; l < other.endLine; l++) {
-            int line = RigidThings.line(l);
-            float rx = px - lines[line];
-            float ry = py - lines[line + 1];
-            float length = lines[line + LENGTH];
-            if (length < 0f) {
-                cornerInHollow(t, other, c, l, rx, ry, r);
+        for (int n = 0; n < other.lineCount; n++) {
+            RigidThing.Line line = other.lines[n];
+            float rx = px - line.x;
+            float ry = py - line.y;
+            if (line.isHollow()) {
+                cornerInHollow(c, line, rx, ry);
                 continue;
             }
-            float lx = lines[line + NX];
-            float ly = lines[line + NY];
+            float lx = line.nx;
+            float ly = line.ny;
             float bentX = 0f;
             float bentY = 0f;
-            if (bent) {
-                bentX = things.bentX(c, -lx, -ly);
-                bentY = things.bentY(c, -lx, -ly);
+            if (c.isBent()) {
+                bentX = c.bentX(-lx, -ly);
+                bentY = c.bentY(-lx, -ly);
                 rx += bentX;
                 ry += bentY;
             }
             float height = rx * lx + ry * ly;
-            float reach = r + lines[line + THICKNESS];
+            float reach = c.radius + line.thickness;
             float far = height - reach;
-            if (far > m) {
+            if (far > pair.margin) {
                 continue;
             }
             float along = ry * lx - rx * ly;
-            if (!(along >= 0f && along <= length)) {
+            if (!(along >= 0f && along <= line.length)) {
                 // where it would be as it meets the line
                 float un = ux * lx + uy * ly;
                 float then = far > 0f && -un * dt >= far ? along + (uy * lx - ux * ly) * (far / -un) : along;
-                if (!(then >= 0f && then <= length)) {
+                if (!(then >= 0f && then <= line.length)) {
                     continue;
                 }
             }
             // one that comes fast may have turned by then
-            if (!(fast && far > 0f) && !things.isInCone(c, -lx, -ly, tolerance) || things.isOfArc(t, c, -lx, -ly)) {
+            if (!(fast && far > 0f) && !c.isInCone(-lx, -ly, tolerance) || t.isOfArc(c, -lx, -ly)) {
                 continue;
             }
             if (height >= 0f) {
-                add(t, other, c, l, true);
+                add(c, line, null);
             } else if (height > deepestHeight) {
                 deepestHeight = height;
                 deepestReach = reach;
-                deepest = l;
+                deepest = line;
                 deepestX = px + bentX;
                 deepestY = py + bentY;
             }
         }
-        if (count == from && deepest >= 0) {
+        if (count == from && deepest != null) {
             boolean holds = other.shape != null
-                    ? deepestHeight > -deepestReach || things.isInside(other, deepestX, deepestY)
-                    : isWall(other) || wasThere(c - t.firstCorner, deepest - other.firstLine) || isBefore(deepest);
+                    ? deepestHeight > -deepestReach || other.isInside(deepestX, deepestY)
+                    : other.type == RigidStep.BODY_WALL || wasThere(c.number, deepest.number) || isBefore(deepest);
             if (holds) {
-                add(t, other, c, deepest, true);
+                add(c, deepest, null);
             }
         }
     }
@@ -284,50 +269,38 @@ final class RigidFeatures {
     }
 
     /** Whether the place of the thing is in front of a line. */
-    private boolean isBefore(int l) {
-        int line = RigidThings.line(l);
-        float height = (x - things.turnedLine[line]) * things.turnedLine[line + NX]
-                + (y - things.turnedLine[line + 1]) * things.turnedLine[line + NY];
-        return height > 0f;
-    }
-
-    private static boolean isWall(RigidThing t) {
-        return t.type == RigidStep.BODY_WALL;
+    private boolean isBefore(RigidThing.Line line) {
+        return (x - line.x) * line.nx + (y - line.y) * line.ny > 0f;
     }
 
     /** A corner inside an arc that is solid outside, from whose centre it is (atX, atY) away. */
-    private void cornerInHollow(RigidThing t, RigidThing other, int c, int l, float atX, float atY, float r) {
-        int line = RigidThings.line(l);
-        float m = pair.margin;
+    private void cornerInHollow(RigidCorner c, RigidThing.Line hollow, float atX, float atY) {
         float rx = atX;
         float ry = atY;
         float d = CircleMath.length(rx, ry);
-        if (things.isBent(c) && d > 0f) {
-            rx += things.bentX(c, atX / d, atY / d);
-            ry += things.bentY(c, atX / d, atY / d);
+        if (c.isBent() && d > 0f) {
+            rx += c.bentX(atX / d, atY / d);
+            ry += c.bentY(atX / d, atY / d);
             d = CircleMath.length(rx, ry);
         }
-        float radius = -things.turnedLine[line + LENGTH];
-        float far = (radius - d) - r;
+        float radius = -hollow.length;
+        float far = (radius - d) - c.radius;
         boolean inFront = d > 0f
-                && far <= m
-                && d < radius + r + m
-                && rx * things.turnedLine[line + NX] + ry * things.turnedLine[line + NY]
-                        >= things.turnedLine[line + THICKNESS] * d;
-        if (inFront && things.isInCone(c, rx / d, ry / d, tolerance)) {
-            add(t, other, c, l, true);
+                && far <= pair.margin
+                && d < radius + c.radius + pair.margin
+                && rx * hollow.nx + ry * hollow.ny >= hollow.thickness * d;
+        if (inFront && c.isInCone(rx / d, ry / d, tolerance)) {
+            add(c, hollow, null);
         }
     }
 
-    private void cornerOnCorners(RigidThing t, RigidThing other, int c, float px, float py) {
-        float[] corner = things.turnedCorner;
-        int at = RigidThings.corner(c);
-        for (int o = other.firstCorner; o < other.endCorner; o++) {
-            int to = RigidThings.corner(o);
-            float rx = px - corner[to];
-            float ry = py - corner[to + 1];
-            float bend = corner[at + BEND] + corner[to + BEND];
-            float most = bend + (corner[at + RADIUS] + corner[to + RADIUS]) + pair.margin;
+    private void cornerOnCorners(RigidThing other, RigidCorner c, float px, float py) {
+        for (int n = 0; n < other.cornerCount; n++) {
+            RigidCorner o = other.corners[n];
+            float rx = px - o.x;
+            float ry = py - o.y;
+            float bend = c.bend + o.bend;
+            float most = bend + (c.radius + o.radius) + pair.margin;
             if (CircleMath.isLonger(rx, ry, SLACK * most)) {
                 continue; // surely, without a square root
             }
@@ -335,15 +308,91 @@ final class RigidFeatures {
             if (d > most || d <= bend) {
                 continue; // cores that have crossed are at their backs
             }
-            boolean noGap = things.isRound(c) || things.isRound(o) || bend > 0f;
-            float tolerance = noGap ? NO_GAP : STRICT;
-            if (things.isInCone(o, rx / d, ry / d, tolerance) && things.isInCone(c, -rx / d, -ry / d, tolerance)) {
-                add(t, other, c, o, false);
+            float within = c.isRound() || o.isRound() || bend > 0f ? NO_GAP : STRICT;
+            if (o.isInCone(rx / d, ry / d, within) && c.isInCone(-rx / d, -ry / d, within)) {
+                add(c, null, o);
             }
         }
     }
 
-    private void add(RigidThing t, RigidThing other, int corner, int feature, boolean line) {
+    // ---- lines that cross
+
+    /**
+     * Finds how two bodies leave each other whose lines cross, like an X: by the corner and the line that are the least way from being apart, as if
+     * the line had no ends. The bodies have no contact, or long ones touch, and hold each other by their ends. Whether there are such lines, from
+     * which the first body is (atX, atY) away from the other.
+     */
+    private boolean cross(RigidThing t, RigidThing other, float atX, float atY, boolean touch) {
+        greatestSine = touch ? GREATEST_SINE : 2f;
+        crossing = null;
+        least = Float.NEGATIVE_INFINITY;
+        cornersOnLines(t, other, atX, atY, false);
+        if (crossing != null) { // else none cross
+            cornersOnLines(other, t, -atX, -atY, true);
+        }
+        return crossing != null;
+    }
+
+    private void cornersOnLines(RigidThing t, RigidThing other, float atX, float atY, boolean areSwapped) {
+        for (int n = 0; n < other.lineCount; n++) {
+            if (!other.lines[n].isHollow() && crosses(t, other.lines[n], atX, atY)) {
+                take(t, other.lines[n], atX, atY, areSwapped);
+            }
+        }
+    }
+
+    /** Whether a line crosses one of a thing. */
+    private boolean crosses(RigidThing t, RigidThing.Line to, float atX, float atY) {
+        for (int n = 0; n < t.lineCount; n++) {
+            RigidThing.Line line = t.lines[n];
+            float sine = Math.abs(to.nx * line.ny - to.ny * line.nx);
+            if (line.isHollow() || sine < LEAST_SINE || sine > greatestSine) {
+                continue;
+            }
+            float rx = atX + line.x - to.x;
+            float ry = atY + line.y - to.y;
+            float endX = rx - line.length * line.ny;
+            float endY = ry + line.length * line.nx;
+            boolean ofLine = rx * to.nx + ry * to.ny > 0f != endX * to.nx + endY * to.ny > 0f;
+            float itsX = -rx - to.length * to.ny;
+            float itsY = -ry + to.length * to.nx;
+            if (ofLine && -rx * line.nx - ry * line.ny > 0f != itsX * line.nx + itsY * line.ny > 0f) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Takes the deepest corner of a thing behind a line, if that is less deep than what has been taken. */
+    private void take(RigidThing t, RigidThing.Line to, float atX, float atY, boolean areSwapped) {
+        RigidCorner deepest = null;
+        float apart = Float.POSITIVE_INFINITY;
+        for (int n = 0; n < t.cornerCount; n++) {
+            RigidCorner c = t.corners[n];
+            float rx = atX + c.x - to.x;
+            float ry = atY + c.y - to.y;
+            if (c.isBent()) {
+                rx += c.bentX(-to.nx, -to.ny);
+                ry += c.bentY(-to.nx, -to.ny);
+            }
+            float far = (rx * to.nx + ry * to.ny) - (c.radius + to.thickness);
+            if (far < apart) {
+                apart = far;
+                deepest = c;
+            }
+        }
+        if (apart > least) {
+            least = apart;
+            crossing = deepest;
+            crossed = to;
+            swapped = areSwapped;
+        }
+    }
+
+    // ---- contacts that have been found
+
+    /** A corner, and a line or a corner of the other thing. */
+    private void add(RigidCorner corner, RigidThing.Line line, RigidCorner itsCorner) {
         if (count == found.length) {
             found = Arrays.copyOf(found, Math.max(64, 2 * count));
         }
@@ -351,13 +400,13 @@ final class RigidFeatures {
             found[count] = new RigidContact();
         }
         RigidContact c = found[count++];
-        int ofCorner = corner - t.firstCorner;
-        int ofOther = feature - (line ? other.firstLine : other.firstCorner);
+        int other = line == null ? itsCorner.number : line.number;
+        int form = line == null ? BOTH : swapped ? SWAPPED : CORNER_ON_LINE;
         c.corner = corner;
-        c.feature = feature;
-        c.first = KeptContacts.formAndFeature(
-                line ? swapped ? SWAPPED : CORNER_ON_LINE : BOTH, swapped ? ofOther : ofCorner);
-        c.second = swapped ? ofCorner : ofOther;
+        c.line = line;
+        c.itsCorner = itsCorner;
+        c.first = KeptContacts.formAndFeature(form, swapped ? other : corner.number);
+        c.second = swapped ? corner.number : other;
     }
 
     /** Sorts the contacts of a pair by their features. */

@@ -5,7 +5,6 @@ import static io.github.circles2d.world.bodies.RigidStep.BODY_CIRCLE;
 import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
 import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
 
-import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.jvm.pieces.PieceMeasure;
@@ -28,7 +27,6 @@ import java.util.Arrays;
 final class RigidPairs {
     private final State state;
     final RigidThings things = new RigidThings();
-    final RigidPieces pieces = new RigidPieces(things);
     private final RigidCandidates candidates;
 
     /** By type: pairs that do not collide, since a joint holds both; of two bodies that of the lower id first. Null of what joints do not hold. */
@@ -115,8 +113,7 @@ final class RigidPairs {
                 if (!isThing(n, id)) { // else it stays where it is
                     things.truncate(n);
                     things.bodies = n;
-                    things.add(BODY_BODY, id, 0f, 0f);
-                    things.setShape(step.outline[id]);
+                    things.add(BODY_BODY, id, 0f, 0f).setShape(step.outline[id]);
                 }
                 thingOfBody[id] = things.all[n++];
                 awakeBodies += step.isAsleep(id) ? 0 : 1;
@@ -174,7 +171,7 @@ final class RigidPairs {
             t.w = 0f;
             t.i = 0f;
         }
-        things.turn(t);
+        t.turn(true);
     }
 
     /** What surfaces of bodies, pieces and walls are; there are none in a world in which nothing turns. */
@@ -315,15 +312,12 @@ final class RigidPairs {
         float minY = Float.POSITIVE_INFINITY;
         float maxX = Float.NEGATIVE_INFINITY;
         float maxY = Float.NEGATIVE_INFINITY;
-        for (int c = t.firstCorner; c < t.endCorner; c++) {
-            int of = RigidThings.corner(c);
-            float r = things.turnedCorner[of + OutlineShape.RADIUS];
-            float x = things.turnedCorner[of];
-            float y = things.turnedCorner[of + 1];
-            minX = CircleMath.min(minX, (x + things.bentX(c, -1f, 0f)) - r);
-            minY = CircleMath.min(minY, (y + things.bentY(c, 0f, -1f)) - r);
-            maxX = CircleMath.max(maxX, (x + things.bentX(c, 1f, 0f)) + r);
-            maxY = CircleMath.max(maxY, (y + things.bentY(c, 0f, 1f)) + r);
+        for (int k = 0; k < t.cornerCount; k++) {
+            RigidCorner c = t.corners[k];
+            minX = CircleMath.min(minX, (c.x + c.bentX(-1f, 0f)) - c.radius);
+            minY = CircleMath.min(minY, (c.y + c.bentY(0f, -1f)) - c.radius);
+            maxX = CircleMath.max(maxX, (c.x + c.bentX(1f, 0f)) + c.radius);
+            maxY = CircleMath.max(maxY, (c.y + c.bentY(0f, 1f)) + c.radius);
         }
         // an eighth more, and the rounding of coordinates
         float m = 2.25f * t.near + 0x1p-20f * (Math.abs(t.x) + Math.abs(t.y) + t.reach);
@@ -433,7 +427,7 @@ final class RigidPairs {
             thingOfPiece = Arrays.copyOf(thingOfPiece, terrain.pieces + (terrain.pieces >> 1));
         }
         if (!isKnown(thingOfPiece[piece], BODY_PIECE, piece)) {
-            RigidThing t = pieces.add(BODY_PIECE, piece, terrain, k);
+            RigidThing t = things.addPiece(piece, terrain, k);
             takeSurface(t, KindSurface.of(t.kind));
             t.restitution = terrain.kinds.rows[KindTerrain.of(t.kind) + KindTerrain.RESTITUTION];
             t.near = 0.5f * terrain.rows[PieceRow.of(piece) + PieceRow.MOST];
@@ -444,7 +438,7 @@ final class RigidPairs {
 
     private RigidThing wallThing(int wall) {
         if (thingOfWall[wall] == null) {
-            RigidThing t = pieces.addWall(BODY_WALL, wall, k);
+            RigidThing t = things.addWall(wall, k);
             takeSurface(t, KindSurface.ofWall(wall));
             // along the tangent of the normal into the arena, and not towards greater coordinates
             t.belt = wall == 1 || wall == 2 ? -t.belt : t.belt;
@@ -469,7 +463,7 @@ final class RigidPairs {
         int s = CircleRow.of(slot);
         float r = state.circle[s + CircleRow.RADIUS];
         RigidThing t = things.add(BODY_CIRCLE, id, state.circle[s + CircleRow.X], state.circle[s + CircleRow.Y]);
-        things.addDisc(0f, 0f, r);
+        t.addDisc(0f, 0f, r);
         t.thin = r;
         t.reach = r;
         t.w = state.traits[s + CircleRow.INVERSE_MASS];
@@ -480,7 +474,7 @@ final class RigidPairs {
             t.gainX = state.gainX(slot, k);
             t.gainY = state.gainY(slot, k);
         }
-        things.place(t);
+        t.place(true);
         t.near = searches[0].nearOf(slot);
         return t;
     }

@@ -75,8 +75,7 @@ public final class RigidPasses {
         contacts = new RigidContacts(pairs, team);
         cover = new RigidCover(contacts, things, team);
         order = new RigidOrder(contacts, things);
-        RigidRules rules = new RigidRules();
-        visits = new RigidVisits(contacts, things, rules, order, team, leastShare / PAIRS);
+        visits = new RigidVisits(contacts, things, order, team, leastShare / PAIRS);
         joints = new RigidJoints(state, pairs);
         resting = new RigidResting(state, pairs);
         waking = new WakingByBodies(state, contacts, pairs, resting, joints);
@@ -230,8 +229,8 @@ public final class RigidPasses {
         for (int n = from; n < end; n++) {
             RigidThing t = things.all[n];
             switch (t.type) {
-                case BODY_PIECE -> pairs.pieces.pose(t, terrain, subStep + 1, k);
-                case BODY_WALL -> pairs.pieces.poseWall(t, subStep + 1, k);
+                case BODY_PIECE -> RigidThings.pose(t, terrain, subStep + 1, k);
+                case BODY_WALL -> RigidThings.poseWall(t, subStep + 1, k);
                 case BODY_CIRCLE -> {
                     int m = CircleRow.of(state.slotOf[t.id]);
                     t.dx = state.motion[m + CircleRow.DX];
@@ -253,7 +252,7 @@ public final class RigidPasses {
         t.dx += t.vx * k.h;
         t.dy += t.vy * k.h;
         t.turned += t.omega * k.h;
-        things.turnOn(t);
+        t.turn(false);
     }
 
     /** The relaxing pass over joints, bodies, pieces and walls. */

@@ -4,16 +4,67 @@ import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CrossRule;
+import io.github.circles2d.world.model.Rotation;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
+import java.util.Arrays;
 
 /**
  * What takes part in contacts of rigid bodies in a step: a body, or a piece of terrain, a wall or a circle near to one. All are alike: a place, an angle,
- * velocities, and an outline of corners and lines, which turns with it; {@link RigidThings} has those.
+ * velocities, and an outline of corners and lines, which turns with it.
  *
  * <p>A place is a base, which stays for a step, and the displacement since, as those of circles.
  */
 final class RigidThing {
+    /**
+     * A line of a {@link RigidThing}, against the place of that. Of a hollow the place is its centre, the normal is that at its middle, turned, the length minus
+     * its radius, the thickness the cosine of half its opening.
+     */
+    static final class Line {
+        /** Its number among those of the thing. */
+        final int number;
+
+        // as the thing lies unturned: where its core begins, and its normal
+        private float ownX;
+        private float ownY;
+        private float ownNx;
+        private float ownNy;
+
+        float length;
+        float thickness;
+
+        // as the thing has turned
+        float x;
+        float y;
+        float nx;
+        float ny;
+
+        Line(int number) {
+            this.number = number;
+        }
+
+        void set(float px, float py, float normalX, float normalY, float itsLength, float thick) {
+            ownX = px;
+            ownY = py;
+            ownNx = normalX;
+            ownNy = normalY;
+            length = itsLength;
+            thickness = thick;
+        }
+
+        void turn(float cos, float sin) {
+            x = cos * ownX - sin * ownY;
+            y = sin * ownX + cos * ownY;
+            nx = cos * ownNx - sin * ownNy;
+            ny = sin * ownNx + cos * ownNy;
+        }
+
+        boolean isHollow() {
+            return length < 0f;
+        }
+    }
+
     /** Its number among all. */
     final int number;
 
@@ -76,11 +127,10 @@ final class RigidThing {
     /** Null of what is no body. */
     OutlineShape shape;
 
-    // its corners and lines, by their numbers among all
-    int firstCorner;
-    int endCorner;
-    int firstLine;
-    int endLine;
+    RigidCorner[] corners = {};
+    int cornerCount;
+    Line[] lines = {};
+    int lineCount;
 
     /** The number of its pairs in {@link RigidOrder}. */
     int degree;
@@ -133,6 +183,8 @@ final class RigidThing {
         asleep = false;
         oneWay = false;
         shape = null;
+        cornerCount = 0;
+        lineCount = 0;
     }
 
     void setVelocity(float itsVx, float itsVy, float itsOmega) {
@@ -160,6 +212,121 @@ final class RigidThing {
         friction = itsFriction;
         rolling = itsRolling;
         belt = itsBelt;
+    }
+
+    // ---- outline
+
+    /** Takes the outline of a body. */
+    void setShape(OutlineShape outline) {
+        float[] c = outline.corners();
+        for (int k = 0; k < c.length; k += OutlineShape.CORNER_STRIDE) {
+            addCorner()
+                    .set(
+                            c[k],
+                            c[k + 1],
+                            c[k + OutlineShape.RADIUS],
+                            c[k + OutlineShape.FROM_X],
+                            c[k + OutlineShape.FROM_Y],
+                            c[k + OutlineShape.TO_X],
+                            c[k + OutlineShape.TO_Y],
+                            c[k + OutlineShape.BEND]);
+        }
+        float[] l = outline.lines();
+        for (int k = 0; k < l.length; k += OutlineShape.LINE_STRIDE) {
+            addLine(
+                    l[k],
+                    l[k + 1],
+                    l[k + OutlineShape.NX],
+                    l[k + OutlineShape.NY],
+                    l[k + OutlineShape.LENGTH],
+                    l[k + OutlineShape.THICKNESS]);
+        }
+        shape = outline;
+        reach = outline.reach();
+        thin = outline.halfThickness();
+    }
+
+    private RigidCorner addCorner() {
+        if (cornerCount == corners.length) {
+            corners = Arrays.copyOf(corners, 2 * cornerCount + 1);
+        }
+        if (corners[cornerCount] == null) {
+            corners[cornerCount] = new RigidCorner(cornerCount);
+        }
+        return corners[cornerCount++];
+    }
+
+    void addCorner(float px, float py, float r, float fromX, float fromY, float toX, float toY) {
+        addCorner().set(px, py, r, fromX, fromY, toX, toY, 0f);
+    }
+
+    /** A corner that is a whole disc. */
+    void addDisc(float px, float py, float r) {
+        addCorner(px, py, r, 0f, 0f, 0f, 0f);
+    }
+
+    void addLine(float px, float py, float nx, float ny, float length, float thickness) {
+        if (lineCount == lines.length) {
+            lines = Arrays.copyOf(lines, 2 * lineCount + 1);
+        }
+        if (lines[lineCount] == null) {
+            lines[lineCount] = new Line(lineCount);
+        }
+        lines[lineCount++].set(px, py, nx, ny, length, thickness);
+    }
+
+    /** Sets the angle of a body from what it has turned, and turns its outline; within a step only what measures look at. */
+    void turn(boolean all) {
+        int units = Surface.turn(angle, turned, 1f, 1f);
+        // the bits of Rotation.cos and sin, which would each look for the quarter
+        int quarter = Rotation.quarter(units);
+        double beyond = Rotation.fromQuarter(units, quarter);
+        float s = (float) Rotation.sinOfEighth(beyond);
+        float c = (float) Rotation.cosOfEighth(beyond);
+        boolean odd = (quarter & 1) != 0;
+        cos = (odd ? s : c) * (1 - (quarter + 1 & 2));
+        sin = (odd ? c : s) * (1 - (quarter & 2));
+        place(all);
+    }
+
+    /** Turns the outline as cosine and sine are. */
+    void place(boolean all) {
+        for (int k = 0; k < cornerCount; k++) {
+            corners[k].turn(cos, sin, all);
+        }
+        for (int k = 0; k < lineCount; k++) {
+            lines[k].turn(cos, sin);
+        }
+    }
+
+    /** The end of the cone of a corner, or of an arc of several corners, that is nearer to a direction beyond it; 0 if it has the direction. */
+    int endOf(RigidCorner c, float nx, float ny) {
+        return isOfArc(c, nx, ny) ? 0 : c.endOf(nx, ny);
+    }
+
+    /** Whether an arc that a corner goes on as has a direction in its cone; the corner is an end of the arc, or a part of it. */
+    boolean isOfArc(RigidCorner c, float nx, float ny) {
+        RigidCorner before = corners[c.number == 0 ? cornerCount - 1 : c.number - 1];
+        RigidCorner after = corners[c.number == cornerCount - 1 ? 0 : c.number + 1];
+        return c.comesFrom(before) && before.isInCone(nx, ny, 0f) || c.goesTo(after) && after.isInCone(nx, ny, 0f);
+    }
+
+    /** Whether a place, against that of a body, is inside its core. */
+    boolean isInside(float px, float py) {
+        float far = shape.coreReach();
+        if (px * px + py * py > far * far) {
+            return false;
+        }
+        float[] p = shape.core();
+        float lx = cos * px + sin * py;
+        float ly = cos * py - sin * px;
+        boolean in = false;
+        for (int a = 0, b = p.length - 2; a < p.length; b = a, a += 2) {
+            if (p[a + 1] > ly != p[b + 1] > ly && lx < (p[b] - p[a]) * (ly - p[a + 1]) / (p[b + 1] - p[a + 1]) + p[a]) {
+                in = !in;
+            }
+        }
+        return in;
     }
 
     // ---- sums
@@ -229,5 +396,10 @@ final class RigidThing {
 
     float takenOmega() {
         return asleep ? 0f : gainOmega;
+    }
+
+    /** At most: there is room for more corners and lines than there are. */
+    long bytes() {
+        return 260L + 76L * corners.length + 60L * lines.length;
     }
 }

@@ -1,40 +1,26 @@
 package io.github.circles2d.world.jvm.bodies;
 
-import io.github.circles2d.world.bodies.OutlineShape;
-import io.github.circles2d.world.model.Rotation;
-import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.model.BodyRow;
+import io.github.circles2d.world.model.KindTerrain;
+import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.WallMotion;
 import java.util.Arrays;
 
-/** The {@link RigidThing things} of a step, with their corners and lines. The first ones are the bodies, in the order of their ids. */
+/** The {@link RigidThing things} of a step. The first ones are the bodies, in the order of their ids. */
 final class RigidThings {
+    /** Far beyond all that bodies reach. */
+    private static final float FAR = 1e10f;
+
     RigidThing[] all = {};
     int count;
     int bodies;
 
-    /** Corners and lines against the place of their thing, as they lie and as they have turned; {@link OutlineShape} numbers the elements. */
-    float[] corner = new float[0];
-
-    float[] turnedCorner = new float[0];
-    float[] line = new float[0];
-    float[] turnedLine = new float[0];
-    private int cornerCount;
-    private int lineCount;
-
     /** Forgets the things from a number on, which have been added last. */
     void truncate(int from) {
-        if (from < count) {
-            cornerCount = all[from].firstCorner;
-            lineCount = all[from].firstLine;
-            count = from;
-        }
-    }
-
-    static int corner(int c) {
-        return OutlineShape.CORNER_STRIDE * c;
-    }
-
-    static int line(int l) {
-        return OutlineShape.LINE_STRIDE * l;
+        count = Math.min(count, from);
     }
 
     /** One more thing without corners and lines, at rest and unturned. */
@@ -48,245 +34,154 @@ final class RigidThings {
         }
         RigidThing t = all[count++];
         t.begin(type, id, x, y);
-        t.firstCorner = cornerCount;
-        t.endCorner = cornerCount;
-        t.firstLine = lineCount;
-        t.endLine = lineCount;
         return t;
     }
 
-    private void ensure(int moreCorners, int moreLines) {
-        int c = corner(cornerCount + moreCorners);
-        if (c > corner.length) {
-            corner = Arrays.copyOf(corner, 2 * c);
-            turnedCorner = Arrays.copyOf(turnedCorner, 2 * c);
+    // ---- pieces of terrain, and walls
+
+    /** Adds a piece. Its place is (X, Y), or what it turns around if it moves. */
+    RigidThing addPiece(int piece, TerrainStep terrain, StepConstants k) {
+        float[] rows = terrain.rows;
+        int row = PieceRow.of(piece);
+        int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+        int motion = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
+        RigidThing t = add(RigidStep.BODY_PIECE, piece, rows[row + PieceRow.X], rows[row + PieceRow.Y]);
+        t.kind = terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
+        t.oneWay = terrain.kinds.rows[KindTerrain.of(t.kind) + KindTerrain.ONE_WAY] != 0f;
+        float px = 0f;
+        float py = 0f;
+        if (motion != 0) {
+            int body = BodyRow.of(motion, k.subSteps);
+            px = rows[row + PieceRow.PIVOT_X];
+            py = rows[row + PieceRow.PIVOT_Y];
+            t.vx = terrain.motion[body + BodyRow.VX] + 0f; // never -0
+            t.vy = terrain.motion[body + BodyRow.VY] + 0f;
+            t.omega = terrain.motion[body + BodyRow.OMEGA] + 0f;
         }
-        int l = line(lineCount + moreLines);
-        if (l > line.length) {
-            line = Arrays.copyOf(line, 2 * l);
-            turnedLine = Arrays.copyOf(turnedLine, 2 * l);
+        if (PieceRow.form(shape) == PieceRow.ARC) {
+            addArc(t, rows, row, shape, px, py);
+        } else {
+            addLine(t, rows, row, shape, px, py);
+        }
+        pose(t, terrain, 0, k);
+        return t;
+    }
+
+    private static void addLine(RigidThing t, float[] rows, int row, int shape, float px, float py) {
+        float tx = rows[row + PieceRow.TX];
+        float ty = rows[row + PieceRow.TY];
+        float nx = ty;
+        float ny = -1f * tx;
+        float length = rows[row + PieceRow.LENGTH];
+        float thickness = rows[row + PieceRow.THICKNESS];
+        float endX = rows[row + PieceRow.END_X] - px;
+        float endY = rows[row + PieceRow.END_Y] - py;
+        float startX = rows[row + PieceRow.START_X] - px;
+        float startY = rows[row + PieceRow.START_Y] - py;
+        t.addLine(startX, startY, nx, ny, length, thickness);
+        if (PieceRow.form(shape) == PieceRow.SEGMENT && !t.oneWay) {
+            t.addLine(endX, endY, -1f * nx, -1f * ny, length, thickness);
+        }
+        addStart(t, shape, startX, startY, thickness, nx, ny);
+        addEnd(t, rows, row, shape, endX, endY, thickness, nx, ny);
+    }
+
+    /** A free end has half a turn; a joint belongs to the piece that ends there. */
+    private static void addStart(RigidThing t, int shape, float x, float y, float r, float nx, float ny) {
+        if (PieceRow.startJoint(shape) == PieceRow.FREE) {
+            t.addCorner(x, y, r, -1f * nx, -1f * ny, nx, ny);
         }
     }
 
-    /** Gives the last thing the outline of a body. */
-    void setShape(OutlineShape outline) {
-        float[] itsCorners = outline.corners();
-        float[] itsLines = outline.lines();
-        int moreCorners = itsCorners.length / OutlineShape.CORNER_STRIDE;
-        int moreLines = itsLines.length / OutlineShape.LINE_STRIDE;
-        ensure(moreCorners, moreLines);
-        System.arraycopy(itsCorners, 0, corner, corner(cornerCount), itsCorners.length);
-        System.arraycopy(itsLines, 0, line, line(lineCount), itsLines.length);
-        cornerCount += moreCorners;
-        lineCount += moreLines;
-        RigidThing t = all[count - 1];
-        t.endCorner = cornerCount;
-        t.endLine = lineCount;
-        t.shape = outline;
-        t.reach = outline.reach();
-        t.thin = outline.halfThickness();
-    }
-
-    /** Gives the last thing one more corner, with a cone of normals, anticlockwise from the first to the second one. */
-    void addCorner(float px, float py, float r, float fromX, float fromY, float toX, float toY) {
-        ensure(1, 0);
-        int c = corner(cornerCount++);
-        corner[c] = px;
-        corner[c + 1] = py;
-        corner[c + OutlineShape.RADIUS] = r;
-        corner[c + OutlineShape.FROM_X] = fromX;
-        corner[c + OutlineShape.FROM_Y] = fromY;
-        corner[c + OutlineShape.TO_X] = toX;
-        corner[c + OutlineShape.TO_Y] = toY;
-        corner[c + OutlineShape.BEND] = 0f;
-        all[count - 1].endCorner = cornerCount;
-    }
-
-    /** Gives the last thing a corner that is a whole disc. */
-    void addDisc(float px, float py, float r) {
-        addCorner(px, py, r, 0f, 0f, 0f, 0f);
-    }
-
-    /** Gives the last thing one more line. Of a hollow the place is its centre, the normal is that at its middle, turned, the length minus its radius, the thickness the cosine of half its opening. */
-    void addLine(float px, float py, float nx, float ny, float length, float thickness) {
-        ensure(0, 1);
-        int l = line(lineCount++);
-        line[l] = px;
-        line[l + 1] = py;
-        line[l + OutlineShape.NX] = nx;
-        line[l + OutlineShape.NY] = ny;
-        line[l + OutlineShape.LENGTH] = length;
-        line[l + OutlineShape.THICKNESS] = thickness;
-        all[count - 1].endLine = lineCount;
-    }
-
-    boolean isBent(int c) {
-        return corner[corner(c) + OutlineShape.BEND] > 0f;
-    }
-
-    /** The point of a core that is farthest in a direction, which is a unit: by how much its x differs from that of the corner. */
-    float bentX(int c, float nx, float ny) {
-        return isBent(c) ? bent(c, endOf(c, nx, ny), nx) : 0f;
-    }
-
-    float bentY(int c, float nx, float ny) {
-        return isBent(c) ? bent(c, endOf(c, nx, ny) + 1, ny) : 0f;
-    }
-
-    private float bent(int c, int end, float along) {
-        int at = corner(c);
-        return turnedCorner[at + OutlineShape.BEND] * (end < OutlineShape.FROM_X ? along : turnedCorner[at + end]);
-    }
-
-    /** The end of a cone that is nearer to a direction beyond it, as the number of an element; 0 if the cone has the direction. */
-    private int endOf(int c, float nx, float ny) {
-        if (isInCone(c, nx, ny, 0f)) {
-            return 0;
+    private static void addEnd(
+            RigidThing t, float[] rows, int row, int shape, float x, float y, float r, float nx, float ny) {
+        if (PieceRow.endJoint(shape) == PieceRow.FREE) {
+            t.addCorner(x, y, r, nx, ny, -1f * nx, -1f * ny);
+        } else if (PieceRow.endJoint(shape) == PieceRow.CONVEX) {
+            t.addCorner(x, y, r, nx, ny, rows[row + PieceRow.NEXT_Y], -1f * rows[row + PieceRow.NEXT_X]);
         }
-        int at = corner(c);
-        float from = turnedCorner[at + OutlineShape.FROM_X] * nx + turnedCorner[at + OutlineShape.FROM_Y] * ny;
-        float to = turnedCorner[at + OutlineShape.TO_X] * nx + turnedCorner[at + OutlineShape.TO_Y] * ny;
-        return from > to ? OutlineShape.FROM_X : OutlineShape.TO_X;
     }
 
-    /** The same of an arc of a thing, which may have several corners. */
-    int endOf(RigidThing t, int c, float nx, float ny) {
-        return isOfArc(t, c, nx, ny) ? 0 : endOf(c, nx, ny);
-    }
-
-    /** Whether an arc that a corner of a thing goes on as has a direction in its cone; the corner is an end of the arc, or a part of it. */
-    boolean isOfArc(RigidThing t, int c, float nx, float ny) {
-        int last = t.endCorner - 1;
-        int before = c == t.firstCorner ? last : c - 1;
-        int after = c == last ? t.firstCorner : c + 1;
-        return goesOnAs(c, before, OutlineShape.FROM_X, OutlineShape.TO_X) && isInCone(before, nx, ny, 0f)
-                || goesOnAs(c, after, OutlineShape.TO_X, OutlineShape.FROM_X) && isInCone(after, nx, ny, 0f);
-    }
-
-    private boolean goesOnAs(int c, int arc, int element, int itsElement) {
-        int at = corner(c);
-        int to = corner(arc);
-        return isBent(arc)
-                && arc != c
-                && corner[at + element] == corner[to + itsElement]
-                && corner[at + element + 1] == corner[to + itsElement + 1]
-                && (corner[at + OutlineShape.BEND] + corner[at + OutlineShape.RADIUS] == 0f
-                        || corner[at] == corner[to] && corner[at + 1] == corner[to + 1]);
-    }
-
-    boolean isRound(int c) {
-        int at = corner(c);
-        return corner[at + OutlineShape.FROM_X] == 0f && corner[at + OutlineShape.FROM_Y] == 0f;
-    }
-
-    boolean isHollow(int l) {
-        return line[line(l) + OutlineShape.LENGTH] < 0f;
-    }
-
-    /** Sets the angle of a body from what it has turned, and turns its outline. */
-    void turn(RigidThing t) {
-        setAngle(t);
-        place(t);
-    }
-
-    /** The same within a step, for what measures look at: not the cones of corners that are not bent. */
-    void turnOn(RigidThing t) {
-        setAngle(t);
-        float c = t.cos;
-        float s = t.sin;
-        for (int k = t.firstCorner; k < t.endCorner; k++) {
-            int at = corner(k);
-            rotate(corner, at, turnedCorner, c, s);
-            if (corner[at + OutlineShape.BEND] > 0f) {
-                rotate(corner, at + OutlineShape.FROM_X, turnedCorner, c, s);
-                rotate(corner, at + OutlineShape.TO_X, turnedCorner, c, s);
+    private static void addArc(RigidThing t, float[] rows, int row, int shape, float px, float py) {
+        float r = rows[row + PieceRow.LENGTH];
+        float spread = rows[row + PieceRow.SPREAD];
+        boolean hollow = (shape & PieceRow.SOLID_OUTSIDE) != 0;
+        float mx = rows[row + PieceRow.TX];
+        float my = rows[row + PieceRow.TY];
+        float cx = -1f * px;
+        float cy = -1f * py;
+        if (spread == PieceRow.ALL_AROUND) {
+            if (hollow) {
+                t.addLine(cx, cy, mx, my, -r, spread);
+            } else {
+                t.addDisc(cx, cy, r);
             }
+            return;
         }
-        turnLines(t, c, s);
-    }
-
-    private void setAngle(RigidThing t) {
-        int units = Surface.turn(t.angle, t.turned, 1f, 1f);
-        // the bits of Rotation.cos and sin, which would each look for the quarter
-        int quarter = Rotation.quarter(units);
-        double beyond = Rotation.fromQuarter(units, quarter);
-        float s = (float) Rotation.sinOfEighth(beyond);
-        float c = (float) Rotation.cosOfEighth(beyond);
-        boolean odd = (quarter & 1) != 0;
-        t.cos = (odd ? s : c) * (1 - (quarter + 1 & 2));
-        t.sin = (odd ? c : s) * (1 - (quarter & 2));
-    }
-
-    /** Turns the outline of a thing as its cosine and sine are. */
-    void place(RigidThing t) {
-        float c = t.cos;
-        float s = t.sin;
-        for (int k = t.firstCorner; k < t.endCorner; k++) {
-            int at = corner(k);
-            rotate(corner, at, turnedCorner, c, s);
-            turnedCorner[at + OutlineShape.RADIUS] = corner[at + OutlineShape.RADIUS];
-            turnedCorner[at + OutlineShape.BEND] = corner[at + OutlineShape.BEND];
-            rotate(corner, at + OutlineShape.FROM_X, turnedCorner, c, s);
-            rotate(corner, at + OutlineShape.TO_X, turnedCorner, c, s);
-        }
-        turnLines(t, c, s);
-        for (int k = t.firstLine; k < t.endLine; k++) {
-            int at = line(k);
-            turnedLine[at + OutlineShape.LENGTH] = line[at + OutlineShape.LENGTH];
-            turnedLine[at + OutlineShape.THICKNESS] = line[at + OutlineShape.THICKNESS];
+        float sx = rows[row + PieceRow.START_X];
+        float sy = rows[row + PieceRow.START_Y];
+        float ex = rows[row + PieceRow.END_X];
+        float ey = rows[row + PieceRow.END_Y];
+        if (hollow) {
+            t.addLine(cx, cy, mx, my, -r, spread);
+            addStart(t, shape, sx - px, sy - py, 0f, -1f * sx / r, -1f * sy / r);
+            addEnd(t, rows, row, shape, ex - px, ey - py, 0f, -1f * ex / r, -1f * ey / r);
+        } else {
+            t.addCorner(cx, cy, r, sx / r, sy / r, mx, my);
+            t.addCorner(cx, cy, r, mx, my, ex / r, ey / r);
+            addStart(t, shape, sx - px, sy - py, 0f, sx / r, sy / r);
+            addEnd(t, rows, row, shape, ex - px, ey - py, 0f, ex / r, ey / r);
         }
     }
 
-    private void turnLines(RigidThing t, float c, float s) {
-        for (int k = t.firstLine; k < t.endLine; k++) {
-            int at = line(k);
-            rotate(line, at, turnedLine, c, s);
-            rotate(line, at + OutlineShape.NX, turnedLine, c, s);
+    /** Brings a piece to where it is at a boundary of sub-steps. */
+    static void pose(RigidThing t, TerrainStep terrain, int boundary, StepConstants k) {
+        int motion = terrain.traits[PieceRow.traits(t.id) + PieceRow.MOTION];
+        if (motion != 0) {
+            int pose = BodyRow.of(motion, k.subSteps) + BodyRow.pose(boundary);
+            t.dx = terrain.motion[pose + BodyRow.DX];
+            t.dy = terrain.motion[pose + BodyRow.DY];
+            t.cos = terrain.motion[pose + BodyRow.COS];
+            t.sin = terrain.motion[pose + BodyRow.SIN];
+        }
+        if (motion != 0 || boundary == 0) {
+            t.place(true);
         }
     }
 
-    private static void rotate(float[] from, int at, float[] to, float c, float s) {
-        float x = from[at];
-        float y = from[at + 1];
-        to[at] = c * x - s * y;
-        to[at + 1] = s * x + c * y;
+    /** Adds a wall, by {@link WallMotion#of}. */
+    RigidThing addWall(int wall, StepConstants k) {
+        boolean lower = (wall & 1) == 0;
+        float side = lower ? 1f : -1f;
+        float reach = Float.MAX_VALUE;
+        RigidThing t;
+        if (wall < 2) {
+            t = add(RigidStep.BODY_WALL, wall, lower ? k.bounds.minX() : k.bounds.maxX(), 0f);
+            t.addLine(0f, -side * FAR, side, 0f, 2f * FAR, 0f);
+            t.vx = side * k.walls.speedFor(wall, reach) + 0f; // never -0
+        } else {
+            t = add(RigidStep.BODY_WALL, wall, 0f, lower ? k.bounds.minY() : k.bounds.maxY());
+            t.addLine(side * FAR, 0f, 0f, side, 2f * FAR, 0f);
+            t.vy = side * k.walls.speedFor(wall, reach) + 0f;
+        }
+        poseWall(t, 0, k);
+        t.place(true);
+        return t;
     }
 
-    /** Whether a direction is in the cone of a corner, within a tolerance. */
-    boolean isInCone(int c, float nx, float ny, float tolerance) {
-        int at = corner(c);
-        float fx = turnedCorner[at + OutlineShape.FROM_X];
-        float fy = turnedCorner[at + OutlineShape.FROM_Y];
-        float tx = turnedCorner[at + OutlineShape.TO_X];
-        float ty = turnedCorner[at + OutlineShape.TO_Y];
-        if (isRound(c)) {
-            return true;
-        }
-        // the cone is half a turn at most: then its middle is 0
-        return fx * ny - fy * nx >= -tolerance
-                && tx * ny - ty * nx <= tolerance
-                && (fx + tx) * nx + (fy + ty) * ny >= -Math.abs(tolerance);
-    }
-
-    /** Whether a place, against that of a body, is inside its core. */
-    boolean isInside(RigidThing t, float px, float py) {
-        float far = t.shape.coreReach();
-        if (px * px + py * py > far * far) {
-            return false;
-        }
-        float[] p = t.shape.core();
-        float lx = t.cos * px + t.sin * py;
-        float ly = t.cos * py - t.sin * px;
-        boolean in = false;
-        for (int a = 0, b = p.length - 2; a < p.length; b = a, a += 2) {
-            if (p[a + 1] > ly != p[b + 1] > ly && lx < (p[b] - p[a]) * (ly - p[a + 1]) / (p[b + 1] - p[a + 1]) + p[a]) {
-                in = !in;
-            }
-        }
-        return in;
+    static void poseWall(RigidThing t, int boundary, StepConstants k) {
+        int wall = t.id;
+        float behind = k.walls.behind(wall, boundary - 1);
+        float out = (wall & 1) == 0 ? -behind : behind;
+        t.dx = wall < 2 ? out : 0f;
+        t.dy = wall < 2 ? 0f : out;
     }
 
     long bytes() {
-        return 196L * all.length + 8L * (corner.length + line.length);
+        long sum = 0;
+        for (RigidThing each : all) {
+            sum += each.bytes();
+        }
+        return sum;
     }
 }

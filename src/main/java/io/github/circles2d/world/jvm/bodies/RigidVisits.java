@@ -1,9 +1,13 @@
 package io.github.circles2d.world.jvm.bodies;
 
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounce;
+import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
 
 /**
@@ -20,6 +24,14 @@ final class RigidVisits {
     /** Visits of a pair that comes fast: the contacts of a body that hits askew must agree before it moves on. */
     private static final int OF_HITS = 16;
 
+    /** Greatest speed of push-outs, by that of circles: half thicknesses are greater than what touches. */
+    private static final float PUSH = 0.5f;
+
+    private static final float LEAST_BOUNCE = 1e-6f;
+
+    /** No masses and speeds that a world takes need more. It and the greatest speed keep all finite: of what is not, processors make what they like. */
+    private static final float GREATEST_IMPULSE = 1e20f;
+
     private final RigidContacts contacts;
     private final RigidThings things;
     private final RigidOrder order;
@@ -31,7 +43,9 @@ final class RigidVisits {
     /** Whether bodies take nothing but sums. */
     private boolean summing;
 
+    // within a step
     private StepConstants k;
+    private boolean tells;
 
     /** See {@link #areFixed}: then several workers may push at once what does not move. */
     private boolean fixed;
@@ -41,8 +55,6 @@ final class RigidVisits {
 
     private int from;
     private int to;
-
-    private final RigidRules rules;
 
     /** Whether a grip is -0, which a slip of 0 may change; visits make no other so. */
     private boolean gripsMinusZero;
@@ -56,11 +68,9 @@ final class RigidVisits {
     private final Team.Share lookAhead = this::lookAhead;
     private final Team.Share visit = this::visitOfColour;
 
-    RigidVisits(
-            RigidContacts contacts, RigidThings things, RigidRules rules, RigidOrder order, Team team, int leastShare) {
+    RigidVisits(RigidContacts contacts, RigidThings things, RigidOrder order, Team team, int leastShare) {
         this.contacts = contacts;
         this.things = things;
-        this.rules = rules;
         this.order = order;
         this.team = team;
         this.leastShare = leastShare;
@@ -70,7 +80,7 @@ final class RigidVisits {
     /** Begins a step: contacts have been found and measured; toTell: whether anybody asks how hard things have touched. */
     void begin(StepConstants constants, boolean toTell) {
         k = constants;
-        rules.begin(constants, toTell);
+        tells = toTell;
         for (int t = 0; t < things.bodies; t++) {
             things.all[t].share = 0f;
         }
@@ -92,7 +102,7 @@ final class RigidVisits {
 
     private void begin(int worker, int from, int end) {
         for (int n = from; n < end; n++) {
-            rules.begin(contacts.all[n]);
+            begin(contacts.all[n]);
         }
     }
 
@@ -103,8 +113,8 @@ final class RigidVisits {
 
     private void measure(int worker, int from, int end) {
         for (int n = from; n < end; n++) {
-            contacts.measures.measure(contacts.all[n]);
-            rules.setMasses(contacts.all[n]);
+            contacts.all[n].measure(k.h);
+            setMasses(contacts.all[n]);
         }
     }
 
@@ -178,7 +188,7 @@ final class RigidVisits {
                 RigidContact c = contacts.all[n];
                 float before = c.speedBefore();
                 c.approach = Math.max(c.approach, -before);
-                pair.mayBounce |= rules.isFast(c) || c.restitution > 0f && c.isImpact(before);
+                pair.mayBounce |= isFast(c) || c.restitution > 0f && c.isImpact(before);
             }
         }
     }
@@ -265,10 +275,10 @@ final class RigidVisits {
             for (int n = pair.begin; n < pair.end; n++) {
                 RigidContact c = contacts.all[n];
                 float before = c.impulse;
-                apply(c, rules.solvedNormal(c, c.normalMass, c.normalSpeed(), c.speedBefore()));
+                apply(c, solvedNormal(c, c.normalMass, c.normalSpeed(), c.speedBefore()));
                 agree &= time == 0 || !(Math.abs(c.impulse - before) > AGREED * c.impulse);
                 times = c.bounce > 0f ? Math.max(times, OF_BOUNCES) : times;
-                times = rules.isHit(c) ? OF_HITS : times;
+                times = isHit(c) ? OF_HITS : times;
                 for (int m = pair.begin; m < pair.end && times > 1; m++) {
                     RigidContact other = contacts.all[m];
                     if (other.bounce > 0f) {
@@ -286,7 +296,7 @@ final class RigidVisits {
     private void solvePlain(RigidPair pair) {
         for (int n = pair.begin; n < pair.end; n++) {
             RigidContact c = contacts.all[n];
-            apply(c, rules.solvedNormal(c, c.normalSpeed()));
+            apply(c, solvedNormal(c, c.normalSpeed()));
         }
     }
 
@@ -303,8 +313,8 @@ final class RigidVisits {
     private void relaxNormal(RigidContact c) {
         if (!c.isIdle()) {
             float vn = c.normalSpeed();
-            if (!rules.bouncesLater(c, vn)) {
-                apply(c, rules.relaxedNormal(c, c.normalMass, vn));
+            if (!bouncesLater(c, vn)) {
+                apply(c, relaxedNormal(c, c.normalMass, vn));
             }
         }
     }
@@ -327,7 +337,7 @@ final class RigidVisits {
             return;
         }
         if (c.hasGrip()) {
-            float gain = rules.gripped(c, mass, c.speedY() * c.nx - c.speedX() * c.ny);
+            float gain = gripped(c, mass, c.speedY() * c.nx - c.speedX() * c.ny);
             pushBoth(c, -c.ny * gain, c.nx * gain);
         }
         float turns = c.rolling > 0f ? c.a.ownI + c.b.ownI : 0f;
@@ -385,9 +395,99 @@ final class RigidVisits {
         float shareB = c.b == body ? body.share : 1f;
         float mass = RigidContact.massOf(shareA * c.massOfA() + shareB * c.massOfB());
         float vn = c.normalSpeed();
-        apply(c, withoutBias ? rules.relaxedNormal(c, mass, vn) : rules.solvedNormal(c, mass, vn, c.speedBefore()));
+        apply(c, withoutBias ? relaxedNormal(c, mass, vn) : solvedNormal(c, mass, vn, c.speedBefore()));
         if (withoutBias || c.bounce > 0f) {
             solveGrip(c, c.gripMass(shareA, shareB));
         }
+    }
+
+    // ---- what a contact does
+
+    /** What both things of a contact have together. */
+    private void begin(RigidContact c) {
+        RigidThing a = c.a;
+        RigidThing b = c.b;
+        c.friction = Surface.friction(a.friction, b.friction);
+        c.rolling = CircleMath.max(a.rolling, b.rolling);
+        c.belts = a.belt + b.belt;
+        c.restitution = CircleMath.max(a.restitution, b.restitution);
+        c.length = a.ownW == 0f ? 2f * b.thin : b.ownW == 0f ? 2f * a.thin : a.thin + b.thin;
+        c.threshold = Bounce.bounceThreshold(c.length, c.restitution, k.thresholdRate, k.restRate, k.fixedThreshold);
+        setMasses(c);
+    }
+
+    /** Masses and terms of a contact that has been measured. */
+    private void setMasses(RigidContact c) {
+        c.normalMass = RigidContact.massOf(c.massOfA() + c.massOfB());
+        c.tangentMass = c.gripMass(1f, 1f);
+        boolean apart = c.gap > 0f;
+        c.speedScale = apart ? 1f : k.contactSoftness.massScale;
+        c.decay = apart ? 0f : k.contactSoftness.impulseScale;
+        c.near = apart ? c.gap * k.inverseH : 0f;
+        c.bias = apart ? c.near : Constraints.softBias(c.gap, pushSpeed(c), k.contactSoftness, k);
+    }
+
+    private float pushSpeed(RigidContact c) {
+        return PUSH * k.pushRate * c.length;
+    }
+
+    /** Whether a contact stops what would come far into the other within a sub-step. */
+    private boolean isHit(RigidContact c) {
+        return isFast(c) && c.impulse > 0f;
+    }
+
+    private boolean isFast(RigidContact c) {
+        return c.approach * k.h > Tuning.CAP * c.length;
+    }
+
+    /** Whether a contact has closed without an impulse, as a body turns: it is to bounce in the next sub-step, not to stop now. */
+    private boolean bouncesLater(RigidContact c, float vn) {
+        return c.restitution > 0f && c.impulse == 0f && !(c.gap > 0f) && bounceSpeed(c, vn) > 0f;
+    }
+
+    /** Solves with bias along the normal, where contacts bounce, too; before: the speed before impulses. Returns what the impulse gains. */
+    private float solvedNormal(RigidContact c, float mass, float vn, float before) {
+        c.approach = Branchless.greater(c.approach, -before);
+        c.bounce = c.restitution > 0f ? bounceSpeed(c, before) : 0f;
+        return take(c, Constraints.solve(c.impulse, mass, vn, c.gap, c.bounce, pushSpeed(c), k.contactSoftness, k));
+    }
+
+    /** Solves with bias along the normal of a contact that does not bounce. Returns what the impulse gains. */
+    private float solvedNormal(RigidContact c, float vn) {
+        return take(c, Constraints.visit(c.impulse, c.normalMass, c.speedScale, vn, c.bias, c.decay * c.impulse));
+    }
+
+    private float relaxedNormal(RigidContact c, float mass, float vn) {
+        return take(c, Constraints.visit(c.impulse, mass, 1f, vn, c.near, 0f));
+    }
+
+    private float take(RigidContact c, float wanted) {
+        float next = CircleMath.min(wanted, GREATEST_IMPULSE);
+        float gain = next - c.impulse;
+        c.impulse = next;
+        if (tells) {
+            c.most = Branchless.greater(c.most, next);
+        }
+        return gain;
+    }
+
+    /** Of a contact with a restitution. */
+    private float bounceSpeed(RigidContact c, float before) {
+        float e = c.restitution;
+        if (!c.isImpact(before)
+                || !(Constraints.bounceSpeed(e, 1f, before, c.gap, k.h, c.threshold, pushSpeed(c)) > 0f)) {
+            return 0f;
+        }
+        RigidThing falls = c.a.w == 0f ? c.b : c.a;
+        float fall = falls.takenX() * c.nx + falls.takenY() * c.ny;
+        float half = Bounce.halfFall(fall, c.b.w, c.a.w);
+        return CircleMath.max(-e * before + (1f + e) * half, LEAST_BOUNCE);
+    }
+
+    /** By the speed along the tangent. Returns what the grip gains. */
+    private float gripped(RigidContact c, float mass, float along) {
+        float before = c.grip;
+        c.grip = Surface.grip(before, mass, along - c.belts, c.friction * c.impulse);
+        return c.grip - before;
     }
 }

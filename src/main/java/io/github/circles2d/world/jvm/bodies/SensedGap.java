@@ -78,7 +78,7 @@ final class SensedGap {
         return isApart ? least - (a.thickness + b.thickness) : 0;
     }
 
-    private void measure(SensedEdge e, SensedEdge f) {
+    private void measure(SensedShape.Edge e, SensedShape.Edge f) {
         if (isFarther(e, f)) {
             return;
         }
@@ -104,7 +104,7 @@ final class SensedGap {
     }
 
     /** Whether two edges are surely farther apart than the nearest ones so far. */
-    private boolean isFarther(SensedEdge e, SensedEdge f) {
+    private boolean isFarther(SensedShape.Edge e, SensedShape.Edge f) {
         double dx = 0.5 * ((e.fromX + e.toX) - (f.fromX + f.toX));
         double dy = 0.5 * ((e.fromY + e.toY) - (f.fromY + f.toY));
         double far = least + (e.half + f.half);
@@ -112,7 +112,7 @@ final class SensedGap {
     }
 
     /** Of arcs of which one is in the circle of the other: the points that the other's centre is farthest from. */
-    private void offerFarSides(SensedEdge e, SensedEdge f) {
+    private void offerFarSides(SensedShape.Edge e, SensedShape.Edge f) {
         double dx = e.centreX - f.centreX;
         double dy = e.centreY - f.centreY;
         double d = length(dx, dy);
@@ -127,12 +127,12 @@ final class SensedGap {
     }
 
     /** A point of the first shape, and an edge of the second one. */
-    private void offerA(double px, double py, SensedEdge f) {
+    private void offerA(double px, double py, SensedShape.Edge f) {
         near(px, py, f);
         offer(px, py, x, y);
     }
 
-    private void offerB(double px, double py, SensedEdge e) {
+    private void offerB(double px, double py, SensedShape.Edge e) {
         near(px, py, e);
         offer(x, y, px, py);
     }
@@ -149,7 +149,7 @@ final class SensedGap {
     }
 
     /** Finds the point of an edge that is nearest to another one. */
-    private void near(double px, double py, SensedEdge e) {
+    private void near(double px, double py, SensedShape.Edge e) {
         if (e.isArc()) {
             double dx = px - e.centreX;
             double dy = py - e.centreY;
@@ -183,14 +183,14 @@ final class SensedGap {
 
     // ---- crossings
 
-    private static boolean cross(SensedEdge e, SensedEdge f) {
+    private static boolean cross(SensedShape.Edge e, SensedShape.Edge f) {
         if (e.isArc() && f.isArc()) {
             return arcsCross(e, f);
         }
         return e.isArc() ? lineCrossesArc(f, e) : f.isArc() ? lineCrossesArc(e, f) : f.divides(e) && e.divides(f);
     }
 
-    private static boolean lineCrossesArc(SensedEdge line, SensedEdge arc) {
+    private static boolean lineCrossesArc(SensedShape.Edge line, SensedShape.Edge arc) {
         double ux = line.toX - line.fromX;
         double uy = line.toY - line.fromY;
         double ox = line.fromX - arc.centreX;
@@ -208,7 +208,7 @@ final class SensedGap {
                 || two >= 0 && two <= 1 && arc.opens(ox + two * ux, oy + two * uy);
     }
 
-    private static boolean arcsCross(SensedEdge e, SensedEdge f) {
+    private static boolean arcsCross(SensedShape.Edge e, SensedShape.Edge f) {
         double dx = f.centreX - e.centreX;
         double dy = f.centreY - e.centreY;
         double d = length(dx, dy);
@@ -223,7 +223,8 @@ final class SensedGap {
                 || arcsCrossAt(e, f, along * ux + across * uy, along * uy - across * ux, dx, dy);
     }
 
-    private static boolean arcsCrossAt(SensedEdge e, SensedEdge f, double px, double py, double dx, double dy) {
+    private static boolean arcsCrossAt(
+            SensedShape.Edge e, SensedShape.Edge f, double px, double py, double dx, double dy) {
         return e.opens(px, py) && f.opens(px - dx, py - dy);
     }
 

@@ -10,7 +10,74 @@ import java.util.Arrays;
  * the shape turns evenly. Numbers are doubles, so that rounding decides nothing.
  */
 final class SensedShape {
-    SensedEdge[] edges = {};
+    /** A line or an arc of a {@link SensedShape}, where the shape is. An arc goes anticlockwise, by half a turn at most. */
+    static final class Edge {
+        // as the shape lies unturned, around its place
+        private double ownFromX;
+        private double ownFromY;
+        private double ownToX;
+        private double ownToY;
+        private double ownCentreX;
+        private double ownCentreY;
+
+        double fromX;
+        double fromY;
+        double toX;
+        double toY;
+        double centreX;
+        double centreY;
+
+        /** 0 of a line. */
+        double radius;
+
+        /** Half of the chord: the edge lies in the circle over that. */
+        double half;
+
+        void set(double sx, double sy, double ex, double ey, double cx, double cy, double r) {
+            ownFromX = sx;
+            ownFromY = sy;
+            ownToX = ex;
+            ownToY = ey;
+            ownCentreX = cx;
+            ownCentreY = cy;
+            radius = r;
+            half = 0.5 * SensedGap.length(ex - sx, ey - sy);
+        }
+
+        /** Brings it to where the shape is now. */
+        void put(double x, double y, double cos, double sin) {
+            fromX = x + (cos * ownFromX - sin * ownFromY);
+            fromY = y + (sin * ownFromX + cos * ownFromY);
+            toX = x + (cos * ownToX - sin * ownToY);
+            toY = y + (sin * ownToX + cos * ownToY);
+            centreX = x + (cos * ownCentreX - sin * ownCentreY);
+            centreY = y + (sin * ownCentreX + cos * ownCentreY);
+        }
+
+        boolean isArc() {
+            return radius > 0;
+        }
+
+        /** Whether a direction from the centre of an arc is in its opening. */
+        boolean opens(double dx, double dy) {
+            double sx = fromX - centreX;
+            double sy = fromY - centreY;
+            double ex = toX - centreX;
+            double ey = toY - centreY;
+            return sx * dy - sy * dx >= 0 && dx * ey - dy * ex >= 0;
+        }
+
+        /** Whether the ends of a line are on different sides of it, which is a line, too. */
+        boolean divides(Edge line) {
+            double ux = toX - fromX;
+            double uy = toY - fromY;
+            double from = ux * (line.fromY - fromY) - uy * (line.fromX - fromX);
+            double to = ux * (line.toY - fromY) - uy * (line.toX - fromX);
+            return from < 0 && to > 0 || from > 0 && to < 0;
+        }
+    }
+
+    Edge[] edges = {};
     int count;
 
     double thickness;
@@ -110,7 +177,7 @@ final class SensedShape {
         if (count == edges.length) {
             edges = Arrays.copyOf(edges, Math.max(8, 2 * count));
             for (int k = count; k < edges.length; k++) {
-                edges[k] = new SensedEdge();
+                edges[k] = new Edge();
             }
         }
         edges[count++].set(fromX, fromY, toX, toY, centreX, centreY, radius);
@@ -132,7 +199,7 @@ final class SensedShape {
     boolean contains(double px, double py) {
         int around = 0;
         for (int k = 0; isSolid && k < count; k++) {
-            SensedEdge e = edges[k];
+            Edge e = edges[k];
             double fromX = e.fromX - px;
             double fromY = e.fromY - py;
             double toX = e.toX - px;
