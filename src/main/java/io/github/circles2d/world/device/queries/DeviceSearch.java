@@ -144,9 +144,9 @@ public final class DeviceSearch implements RemoteSearch {
                 && did(() -> {
                     write(shape, queries, n, filter);
                     long bytes = (long) Integer.BYTES * n;
-                    DeviceBuffer counted = ends.ensureRoomy(bytes);
-                    bind(count, shape, filter != null, n).arg(10, counted).run(n);
-                    counted.read(0, hostIds.ensure(bytes), 0, bytes);
+                    DeviceBuffer to = ends.ensureRoomy(bytes);
+                    bind(count, shape, filter != null, n).arg(10, to).run(n);
+                    to.read(0, hostIds.ensure(bytes), 0, bytes);
                     hostIds.get().ints().get(0, counts, 0, n);
                     return true;
                 });
