@@ -104,6 +104,7 @@ final class BodyShape extends ThingShape {
     }
 
     // ---- overlaps
+    // ----------------------------------------------------------------------------------------------------
 
     @Override
     boolean overlapsDisc(double px, double py, double radius) {
@@ -151,6 +152,7 @@ final class BodyShape extends ThingShape {
     }
 
     // ---- the nearest
+    // -------------------------------------------------------------------------------------------------
 
     @Override
     double distance(double px, double py) {
@@ -185,6 +187,7 @@ final class BodyShape extends ThingShape {
     }
 
     // ---- casts
+    // -------------------------------------------------------------------------------------------------------
 
     @Override
     double castDistance(double px, double py, double radius, double ux, double uy, double most) {
@@ -207,6 +210,7 @@ final class BodyShape extends ThingShape {
     }
 
     // ---- normals
+    // -----------------------------------------------------------------------------------------------------
 
     /** The normal leads out of the body. */
     @Override

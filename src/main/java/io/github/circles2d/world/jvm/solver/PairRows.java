@@ -45,6 +45,7 @@ final class PairRows {
         return STRIDE * contact;
     }
 
+    /** Memory of the array. */
     long bytes() {
         return 4L * values.length;
     }
@@ -59,6 +60,7 @@ final class PairRows {
     }
 
     // ---- moved
+    // ---------------------------------------------------------------------------------------------------------------------
 
     /** Starts a contact, filled before, with the impulses that an entry of the step before ended with, or -1. */
     void warmStart(int c, int entry, float scale) {
@@ -106,6 +108,7 @@ final class PairRows {
     }
 
     // ---- what rows do
+    // ----------------------------------------------------------------------------------------------------------------
 
     /** Fills all but the impulses of a contact; share: of the second circle if it is heavy in a cross contact, else 1. */
     void fill(int c, int first, int second, float share) {

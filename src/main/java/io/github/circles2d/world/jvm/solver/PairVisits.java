@@ -101,6 +101,7 @@ final class PairVisits {
     }
 
     // ---- which bodies
+    // -------------------------------------------------------------------------------------------------------------
 
     // A branch on what a loop keeps in a local variable: the compiler takes it out of the loop, and a virtual call not.
 
@@ -138,6 +139,7 @@ final class PairVisits {
     }
 
     // ---- measured
+    // ------------------------------------------------------------------------------------------------------------------
 
     /** Measures contacts for the first sub-step, and adds their impulses to the sums of their circles. */
     void prepare(int from, int to) {
@@ -185,6 +187,7 @@ final class PairVisits {
     }
 
     // ---- the biased pass
+    // -----------------------------------------------------------------------------------------------------------
 
     /** The biased pass: stops approaches, pushes overlaps out, bounces. */
     void solve(int from, int to, StepConstants k) {
@@ -289,6 +292,7 @@ final class PairVisits {
     }
 
     // ---- the relaxing pass
+    // ---------------------------------------------------------------------------------------------------------
 
     /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
     void relax(int from, int to, StepConstants k, boolean last) {
