@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
 import io.github.circles2d.opencl.DeviceMemoryException;
-import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.shared.Pipeline;
@@ -275,18 +274,6 @@ class WorldErrorsTest {
         assertThatThrownBy(() -> world.step(STEP))
                 .isInstanceOf(IllegalStateException.class)
                 .hasCause(cause);
-    }
-
-    @Test
-    @Tag("long")
-    void whereverMemoryEndsInAReadOrBeforeAChangeNothingIsLost() {
-        ForkedJvm.Result result = new ForkedJvm()
-                .option("-Xmx24m")
-                .option("-XX:+UseSerialGC")
-                .option("-XX:TieredStopAtLevel=1")
-                .run(MemoryEnds.class);
-        assertThat(result.output()).isEqualToIgnoringNewLines("0 wrong, out of memory often");
-        assertThat(result.exitStatus()).isZero();
     }
 
     @Test
