@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import static io.github.circles2d.Refusals.assertIllegalState;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
@@ -220,9 +221,7 @@ class WorldErrorsTest {
     @Test
     void aRestoreThatFindsTooLittleMemoryChangesNothing() {
         try (World world = world()) {
-            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
-            world.snapshot(snapshot);
-            snapshot.flip();
+            ByteBuffer snapshot = snapshot(world);
             world.remove(1L << 32);
             long hash = world.hash();
             for (String method : List.of("makeRoom", "prepare")) {
@@ -245,9 +244,7 @@ class WorldErrorsTest {
             new OutOfMemoryError(), new StackOverflowError(), new AssertionError(), new IllegalStateException()
         }) {
             try (World world = world()) {
-                ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
-                world.snapshot(snapshot);
-                snapshot.flip();
+                ByteBuffer snapshot = snapshot(world);
                 world.setVelocity(1L << 32, 1, 0);
                 failing.put(method, cause);
                 assertThatThrownBy(() -> {

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.Edge;
@@ -323,12 +324,6 @@ class JointSectionTest {
     private static ByteBuffer bytes(SavedState state) {
         ByteBuffer bytes = ByteBuffer.allocate(SnapshotCodec.bytes(state)).order(ByteOrder.LITTLE_ENDIAN);
         SnapshotCodec.writeAtStart(state, bytes);
-        return bytes.flip();
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
         return bytes.flip();
     }
 }
