@@ -3,7 +3,6 @@ package io.github.circles2d;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
-import java.util.Arrays;
 import java.util.Set;
 import net.bytebuddy.jar.asm.ClassReader;
 import net.bytebuddy.jar.asm.ClassVisitor;
@@ -14,7 +13,7 @@ import net.bytebuddy.jar.asm.Opcodes;
 
 /**
  * Loads the library, and tests that use it, again, so that each allocation in the library asks {@link AllocationLimit} first. Calls of the JDK
- * that allocate, such as copies of arrays, count as one each. {@link #main} runs a program so, as {@link MemoryEndsAnywhere}.
+ * that allocate, such as copies of arrays, count as one each.
  */
 final class AllocationLimitLoader extends ClassLoader {
     private static final String OURS = "io.github.circles2d.";
@@ -43,14 +42,6 @@ final class AllocationLimitLoader extends ClassLoader {
 
     AllocationLimitLoader() {
         super(AllocationLimitLoader.class.getClassLoader());
-    }
-
-    /** Runs the main method of a class under limits: its name, and its arguments. */
-    public static void main(String[] args) throws ReflectiveOperationException {
-        new AllocationLimitLoader()
-                .loadClass(args[0])
-                .getMethod("main", String[].class)
-                .invoke(null, (Object) Arrays.copyOfRange(args, 1, args.length));
     }
 
     @Override

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -637,9 +638,7 @@ class BodiesPhysicsTest {
         try (World world = mixed();
                 World other = WorldScenes.jvm().bounds(0, 0, 1, 1).build()) {
             run(world, 90);
-            ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());
-            world.snapshot(saved);
-            saved.flip();
+            ByteBuffer saved = snapshot(world);
             other.restore(saved);
             run(world, 60);
             run(other, 60);

@@ -297,28 +297,42 @@ class FixedStepTest {
     }
 
     @OnEachBackend
-    void aRadiusThatIsSetShowsAtOnceWithTheNextStep(Backend backend) {
+    void aRadiusOrAnAngleThatIsSetShowsAtOnceWithTheNextStepOrAReset(Backend backend) {
         try (World world = world(backend)) {
             long a = world.add(2, 5, 0.5f, 1);
             FixedStep loop = new FixedStep(world, STEP);
             loop.radii();
+            loop.angles();
             loop.advance(1.5f * STEP, null);
             world.setRadius(a, 0.75f);
+            world.setAngle(a, 2);
             assertThat(loop.radii().get(0)).isEqualTo(0.5f);
+            assertThat(loop.angles().get(0)).isZero();
             loop.advance(STEP, null);
             assertThat(loop.alpha()).isEqualTo(0.5f);
             assertThat(loop.radii().get(0)).isEqualTo(0.75f);
+            assertThat(loop.angles().get(0)).isEqualTo(2);
+            world.grow(a, 1, 10);
+            loop.advance(3.5f * STEP, null);
+            world.setRadius(a, 2);
+            world.setAngle(a, 1);
+            loop.reset();
+            assertThat(loop.radii().get(0)).isEqualTo(2);
+            assertThat(loop.angles().get(0)).isEqualTo(1);
         }
     }
 
     @OnEachBackend
-    void theSameIdsHaveRadiiAsHavePositions(Backend backend) {
+    void theSameIdsHaveRadiiAndAnglesAsHavePositions(Backend backend) {
         try (World world = world(backend)) {
             FixedStep loop = new FixedStep(world, STEP);
             assertThat(loop.radii().remaining()).isZero();
+            assertThat(loop.angles().remaining()).isZero();
             SplittableRandom random = new SplittableRandom(7);
             for (int frame = 0; frame < 120; frame++) {
-                world.grow(world.add(1 + 8 * (float) random.nextDouble(), 5, 0.1f, 1), 0.2f, 9);
+                long added = world.add(1 + 8 * (float) random.nextDouble(), 5, 0.1f, 1);
+                world.grow(added, 0.2f, 9);
+                world.setAngle(added, 0.5f);
                 if (frame % 40 == 39) {
                     world.clear();
                 }
@@ -332,53 +346,16 @@ class FixedStepTest {
                 }
                 FloatBuffer positions = loop.positions(null);
                 FloatBuffer radii = loop.radii();
+                FloatBuffer angles = loop.angles();
                 assertThat(2 * radii.limit()).isEqualTo(positions.limit());
+                assertThat(2 * angles.limit()).isEqualTo(positions.limit());
                 for (int id = 0; id < radii.limit(); id++) {
                     assertThat(Float.isNaN(radii.get(id))).isEqualTo(Float.isNaN(positions.get(2 * id)));
                     assertThat(radii.get(id)).satisfiesAnyOf(r -> assertThat(r).isNaN(), r -> assertThat(r)
                             .isBetween(0.1f, 0.2f));
+                    float expected = Float.isNaN(positions.get(2 * id)) ? Float.NaN : 0.5f;
+                    assertThat(Float.compare(angles.get(id), expected)).isZero();
                 }
-            }
-        }
-    }
-
-    @Test
-    void aResetShowsTheRadiiOfNow() {
-        try (World world = world()) {
-            long a = world.add(2, 5, 0.5f, 1);
-            FixedStep loop = new FixedStep(world, STEP);
-            loop.radii();
-            world.grow(a, 1, 10);
-            loop.advance(3.5f * STEP, null);
-            world.setRadius(a, 2);
-            loop.reset();
-            assertThat(loop.radii().get(0)).isEqualTo(2);
-        }
-    }
-
-    @Test
-    void aReplayShowsCirclesThatGrowAsTheGameDid() throws IOException {
-        ByteArrayOutputStream log = new ByteArrayOutputStream();
-        float[] shown = new float[12];
-        try (World world = world();
-                Recording recording = new Recording(world, log, 1)) {
-            FixedStep loop = new FixedStep(world, STEP);
-            loop.radii();
-            world.grow(world.add(2, 5, 0.5f, 1), 1, 10);
-            for (int frame = 0; frame < shown.length; frame++) {
-                loop.advance(0.75f * STEP, null);
-                shown[frame] = loop.radii().get(0);
-            }
-            assertThat(recording.steps()).isEqualTo(9);
-        }
-        try (World world = world()) {
-            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), world);
-            FixedStep loop = new FixedStep(world, STEP);
-            loop.radii();
-            loop.advanceReplay(0.75f * STEP, replay);
-            for (int frame = 1; frame < shown.length; frame++) {
-                loop.advanceReplay(0.75f * STEP, replay);
-                assertThat(loop.radii().get(0)).isEqualTo(shown[frame]);
             }
         }
     }
@@ -434,76 +411,33 @@ class FixedStepTest {
     }
 
     @OnEachBackend
-    void anAngleThatIsSetShowsAtOnceWithTheNextStep(Backend backend) {
-        try (World world = world(backend)) {
-            long a = world.add(2, 5, 0.5f, 1);
-            FixedStep loop = new FixedStep(world, STEP);
-            loop.angles();
-            loop.advance(1.5f * STEP, null);
-            world.setAngle(a, 2);
-            assertThat(loop.angles().get(0)).isZero();
-            loop.advance(STEP, null);
-            assertThat(loop.alpha()).isEqualTo(0.5f);
-            assertThat(loop.angles().get(0)).isEqualTo(2);
-            world.setAngle(a, 1);
-            loop.reset();
-            assertThat(loop.angles().get(0)).isEqualTo(1);
-        }
-    }
-
-    @OnEachBackend
-    void theSameIdsHaveAnglesAsHavePositions(Backend backend) {
-        try (World world = world(backend)) {
-            FixedStep loop = new FixedStep(world, STEP);
-            assertThat(loop.angles().remaining()).isZero();
-            SplittableRandom random = new SplittableRandom(7);
-            for (int frame = 0; frame < 120; frame++) {
-                world.setAngle(world.add(1 + 8 * (float) random.nextDouble(), 5, 0.1f, 1), 0.5f);
-                if (frame % 40 == 39) {
-                    world.clear();
-                }
-                loop.advance(random.nextInt(1, 40) * STEP / 16, null);
-                if (frame % 3 == 0) {
-                    world.remove(world.add(5, 5, 0.1f, 1)); // an id that the positions may lack
-                }
-                long removed = world.handle(random.nextInt(world.idLimit()));
-                if (removed != 0 && frame % 2 == 0) {
-                    world.remove(removed);
-                }
-                FloatBuffer positions = loop.positions(null);
-                FloatBuffer angles = loop.angles();
-                assertThat(2 * angles.limit()).isEqualTo(positions.limit());
-                for (int id = 0; id < angles.limit(); id++) {
-                    float expected = Float.isNaN(positions.get(2 * id)) ? Float.NaN : 0.5f;
-                    assertThat(Float.compare(angles.get(id), expected)).isZero();
-                }
-            }
-        }
-    }
-
-    @OnEachBackend
-    void aReplayShowsCirclesThatTurnAsTheGameDid(Backend backend) throws IOException {
+    void aReplayShowsCirclesThatGrowAndTurnAsTheGameDid(Backend backend) throws IOException {
         ByteArrayOutputStream log = new ByteArrayOutputStream();
-        float[] shown = new float[12];
+        float[][] shown = new float[12][];
         try (World world = world(backend);
                 Recording recording = new Recording(world, log, 1)) {
             FixedStep loop = new FixedStep(world, STEP);
+            loop.radii();
             loop.angles();
-            world.setAngularVelocity(world.add(2, 5, 0.5f, 1), 9);
+            long a = world.add(2, 5, 0.5f, 1);
+            world.grow(a, 1, 10);
+            world.setAngularVelocity(a, 9);
             for (int frame = 0; frame < shown.length; frame++) {
                 loop.advance(0.75f * STEP, null);
-                shown[frame] = loop.angles().get(0);
+                shown[frame] = new float[] {loop.radii().get(0), loop.angles().get(0)};
             }
             assertThat(recording.steps()).isEqualTo(9);
         }
         try (World world = world(backend)) {
             Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), world);
             FixedStep loop = new FixedStep(world, STEP);
+            loop.radii();
             loop.angles();
             loop.advanceReplay(0.75f * STEP, replay);
             for (int frame = 1; frame < shown.length; frame++) {
                 loop.advanceReplay(0.75f * STEP, replay);
-                assertThat(loop.angles().get(0)).isEqualTo(shown[frame]);
+                assertThat(loop.radii().get(0)).isEqualTo(shown[frame][0]);
+                assertThat(loop.angles().get(0)).isEqualTo(shown[frame][1]);
             }
         }
     }

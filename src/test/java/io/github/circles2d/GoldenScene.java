@@ -1,5 +1,8 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.GoldenChange.NONE;
+import static io.github.circles2d.scenes.Scenes.SEED;
+
 import io.github.circles2d.reference.Surfaces;
 import io.github.circles2d.scenes.BodyScenes;
 import io.github.circles2d.scenes.HardScenes;
@@ -37,7 +40,7 @@ record GoldenScene(
     private static final int COST_OF_BODY = 10;
 
     /** A scene in which nobody sleeps. */
-    GoldenScene(
+    private static GoldenScene of(
             String name,
             Scene scene,
             GoldenChange change,
@@ -45,353 +48,225 @@ record GoldenScene(
             Edge edgeY,
             Surfaces surfaces,
             GoldenTerrain terrain) {
-        this(name, scene, change, edgeX, edgeY, surfaces, terrain, false, 0);
+        return new GoldenScene(name, scene, change, edgeX, edgeY, surfaces, terrain, false, 0);
     }
 
     /** A scene without terrain. */
-    GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY, Surfaces surfaces) {
-        this(name, scene, change, edgeX, edgeY, surfaces, GoldenTerrain.NONE);
+    private static GoldenScene of(
+            String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY, Surfaces surfaces) {
+        return of(name, scene, change, edgeX, edgeY, surfaces, GoldenTerrain.NONE);
     }
 
     /** A scene with walls all around, and terrain. */
-    GoldenScene(String name, Scene scene, GoldenChange change, Surfaces surfaces, GoldenTerrain terrain) {
-        this(name, scene, change, Edge.WALL, Edge.WALL, surfaces, terrain);
+    private static GoldenScene of(
+            String name, Scene scene, GoldenChange change, Surfaces surfaces, GoldenTerrain terrain) {
+        return of(name, scene, change, Edge.WALL, Edge.WALL, surfaces, terrain);
     }
 
     /** A scene with walls all around. */
-    GoldenScene(String name, Scene scene, GoldenChange change) {
-        this(name, scene, change, Surfaces.NONE);
+    private static GoldenScene of(String name, Scene scene, GoldenChange change) {
+        return of(name, scene, change, Surfaces.NONE);
     }
 
     /** A scene with walls all around, in which surfaces grip. */
-    GoldenScene(String name, Scene scene, GoldenChange change, Surfaces surfaces) {
-        this(name, scene, change, Edge.WALL, Edge.WALL, surfaces);
+    private static GoldenScene of(String name, Scene scene, GoldenChange change, Surfaces surfaces) {
+        return of(name, scene, change, Edge.WALL, Edge.WALL, surfaces);
     }
 
     /** A scene in which nothing grips. */
-    GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY) {
-        this(name, scene, change, edgeX, edgeY, Surfaces.NONE);
+    private static GoldenScene of(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY) {
+        return of(name, scene, change, edgeX, edgeY, Surfaces.NONE);
     }
 
     static List<GoldenScene> all() {
         return List.of(
-                new GoldenScene("thesis", Scenes.thesis(1250, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("packed-100000", Scenes.packed(100_000, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("packed-5000-churned", Scenes.packed(5_000, Scenes.SEED), GoldenChange::churn),
-                new GoldenScene("gas", Scenes.gas(2_500, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("barrel", Scenes.barrel(Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("balls2", Scenes.balls2(), GoldenChange.NONE),
-                new GoldenScene("mixed-churned", Scenes.mixed(4_000, Scenes.SEED), GoldenChange::churn),
-                new GoldenScene("no-collide", Scenes.noCollide(), GoldenChange.NONE),
-                new GoldenScene("billiards", Scenes.billiards(20), GoldenChange.NONE),
-                new GoldenScene("bouncy-churned", Scenes.bouncy(Scenes.SEED), GoldenChange::churn),
-                new GoldenScene("one-point", Scenes.onePoint(2_000, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("jam", HardScenes.jam(1_500, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("pile-time-steps", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::timeStep),
-                new GoldenScene("pile-growth", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::growth),
-                new GoldenScene("fence", HardScenes.fence(24, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("paddles", HardScenes.paddles(20, 30, Scenes.SEED), GoldenChange::paddles),
-                new GoldenScene("pile-kinds", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::kinds),
-                new GoldenScene("crowd", HardScenes.crowd(40, Scenes.SEED), GoldenChange::turn),
-                new GoldenScene("dragged", HardScenes.paddles(20, 30, Scenes.SEED), GoldenChange::drag),
-                new GoldenScene("pile-walls", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::walls),
-                new GoldenScene("wrapped", Scenes.gas(2_500, Scenes.SEED), GoldenChange.NONE, Edge.WRAP, Edge.WRAP),
-                new GoldenScene(
-                        "wrapped-mixed-churned",
-                        Scenes.mixed(4_000, Scenes.SEED),
-                        GoldenChange::churn,
-                        Edge.WRAP,
-                        Edge.WALL),
-                new GoldenScene("open", Scenes.billiards(20), GoldenChange.NONE, Edge.OPEN, Edge.OPEN),
-                new GoldenScene(
-                        "open-bouncy-churned", Scenes.bouncy(Scenes.SEED), GoldenChange::churn, Edge.OPEN, Edge.WALL),
-                new GoldenScene(
-                        "wrapped-open-paddles",
-                        HardScenes.paddles(20, 30, Scenes.SEED),
-                        GoldenChange::paddles,
-                        Edge.WRAP,
-                        Edge.OPEN),
-                new GoldenScene("mixed-10", Scenes.mixed(100_000, 10, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("mixed-100", Scenes.mixed(10_000, 100, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("boulder", Scenes.boulder(10_000, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene(
-                        "slope", HardScenes.slope(40, 20, Scenes.SEED), GoldenChange.NONE, Surfaces.of(0.6f, 0.02f)),
-                new GoldenScene(
-                        "heap", HardScenes.heap(1_000, Scenes.SEED), GoldenChange.NONE, Surfaces.of(0.6f, 0.1f)),
-                new GoldenScene("billiards-spin", Scenes.billiards(5), GoldenChange::spin, Surfaces.of(0.2f, 0f)),
-                new GoldenScene(
-                        "rollers",
-                        HardScenes.paddles(20, 30, Scenes.SEED),
-                        GoldenChange::spin,
-                        Surfaces.of(0.8f, 0f).withWall(2, 0.5f, 0f, 0.3f)),
-                new GoldenScene(
-                        "mixed-gripping-churned",
-                        Scenes.mixed(4_000, Scenes.SEED),
-                        GoldenChange::churn,
-                        Surfaces.of(0.6f, 0.05f)),
-                new GoldenScene(
-                        "pile-gripping-time-steps",
-                        HardScenes.pile(40, 30, Scenes.SEED),
-                        GoldenChange::timeStep,
-                        Surfaces.of(0.6f, 0.1f)),
-                new GoldenScene(
-                        "belts",
-                        HardScenes.pile(40, 30, Scenes.SEED),
-                        GoldenChange::belts,
-                        Surfaces.of(0.5f, 0.02f).withWall(2, 0.7f, 0.01f, -0.2f)),
-                new GoldenScene(
-                        "wrapped-gripping",
-                        Scenes.gas(2_500, Scenes.SEED),
-                        GoldenChange::spin,
-                        Edge.WRAP,
-                        Edge.WALL,
-                        Surfaces.of(0.3f, 0f)),
-                new GoldenScene(
-                        "hourglass",
-                        HardScenes.pile(40, 30, Scenes.SEED),
-                        GoldenChange.NONE,
-                        Surfaces.of(0.2f, 0f),
-                        GoldenTerrain::hourglass),
-                new GoldenScene(
-                        "drum",
-                        HardScenes.core(1_000, 0.2f, Scenes.SEED),
-                        GoldenChange.NONE,
-                        Surfaces.of(0.6f, 0f),
-                        GoldenTerrain::drum),
-                new GoldenScene(
+                of("thesis", Scenes.thesis(1250, SEED), NONE),
+                of("packed-100000", Scenes.packed(100_000, SEED), NONE),
+                of("packed-5000-churned", Scenes.packed(5_000, SEED), GoldenChange::churn),
+                of("gas", gas(), NONE),
+                of("barrel", Scenes.barrel(SEED), NONE),
+                of("balls2", Scenes.balls2(), NONE),
+                of("mixed-churned", mixed(), GoldenChange::churn),
+                of("no-collide", Scenes.noCollide(), NONE),
+                of("billiards", Scenes.billiards(20), NONE),
+                of("bouncy-churned", Scenes.bouncy(SEED), GoldenChange::churn),
+                of("one-point", Scenes.onePoint(2_000, SEED), NONE),
+                of("jam", HardScenes.jam(1_500, SEED), NONE),
+                of("pile-time-steps", pile(), GoldenChange::timeStep),
+                of("pile-growth", pile(), GoldenChange::growth),
+                of("fence", HardScenes.fence(24, SEED), NONE),
+                of("paddles", paddles(), GoldenChange::paddles),
+                of("pile-kinds", pile(), GoldenChange::kinds),
+                of("crowd", HardScenes.crowd(40, SEED), GoldenChange::turn),
+                of("dragged", paddles(), GoldenChange::drag),
+                of("pile-walls", pile(), GoldenChange::walls),
+                of("wrapped", gas(), NONE, Edge.WRAP, Edge.WRAP),
+                of("wrapped-mixed-churned", mixed(), GoldenChange::churn, Edge.WRAP, Edge.WALL),
+                of("open", Scenes.billiards(20), NONE, Edge.OPEN, Edge.OPEN),
+                of("open-bouncy-churned", Scenes.bouncy(SEED), GoldenChange::churn, Edge.OPEN, Edge.WALL),
+                of("wrapped-open-paddles", paddles(), GoldenChange::paddles, Edge.WRAP, Edge.OPEN),
+                of("mixed-10", Scenes.mixed(100_000, 10, SEED), NONE),
+                of("mixed-100", Scenes.mixed(10_000, 100, SEED), NONE),
+                of("boulder", Scenes.boulder(10_000, SEED), NONE),
+                of("slope", HardScenes.slope(40, 20, SEED), NONE, grip(0.6f, 0.02f)),
+                of("heap", HardScenes.heap(1_000, SEED), NONE, grip(0.6f, 0.1f)),
+                of("billiards-spin", Scenes.billiards(5), GoldenChange::spin, grip(0.2f, 0f)),
+                of("rollers", paddles(), GoldenChange::spin, grip(0.8f, 0f).withWall(2, 0.5f, 0f, 0.3f)),
+                of("mixed-gripping-churned", mixed(), GoldenChange::churn, grip(0.6f, 0.05f)),
+                of("pile-gripping-time-steps", pile(), GoldenChange::timeStep, grip(0.6f, 0.1f)),
+                of("belts", pile(), GoldenChange::belts, grip(0.5f, 0.02f).withWall(2, 0.7f, 0.01f, -0.2f)),
+                of("wrapped-gripping", gas(), GoldenChange::spin, Edge.WRAP, Edge.WALL, grip(0.3f, 0f)),
+                of("hourglass", pile(), NONE, grip(0.2f, 0f), GoldenTerrain::hourglass),
+                of("drum", HardScenes.core(1_000, 0.2f, SEED), NONE, grip(0.6f, 0f), GoldenTerrain::drum),
+                of(
                         "pinball",
-                        HardScenes.core(60, 0.12f, Scenes.SEED),
+                        HardScenes.core(60, 0.12f, SEED),
                         GoldenTerrain::flip,
-                        Surfaces.of(0.2f, 0f),
+                        grip(0.2f, 0f),
                         GoldenTerrain::pinball),
-                new GoldenScene(
-                        "half-pipes",
-                        HardScenes.heap(1_000, Scenes.SEED),
-                        GoldenChange.NONE,
-                        Surfaces.of(0.6f, 0.02f),
-                        GoldenTerrain::halfPipes),
-                new GoldenScene(
+                of("half-pipes", HardScenes.heap(1_000, SEED), NONE, grip(0.6f, 0.02f), GoldenTerrain::halfPipes),
+                of(
                         "one-way-lifts",
-                        HardScenes.pile(40, 20, Scenes.SEED),
+                        HardScenes.pile(40, 20, SEED),
                         GoldenTerrain::lift,
-                        Surfaces.of(0.5f, 0f),
+                        grip(0.5f, 0f),
                         GoldenTerrain::lifts),
-                new GoldenScene(
+                of(
                         "mixed-rubble-churned",
-                        Scenes.mixed(4_000, 10, Scenes.SEED),
+                        Scenes.mixed(4_000, 10, SEED),
                         GoldenChange::churn,
                         Surfaces.NONE,
                         GoldenTerrain::rubble),
-                new GoldenScene(
+                of(
                         "slopes",
-                        HardScenes.pile(50, 25, Scenes.SEED),
+                        HardScenes.pile(50, 25, SEED),
                         GoldenChange::timeStep,
-                        Surfaces.of(0.6f, 0.05f),
+                        grip(0.6f, 0.05f),
                         GoldenTerrain::slopes),
-                new GoldenScene(
-                        "floor-rebuilt",
-                        HardScenes.pile(40, 30, Scenes.SEED),
-                        GoldenTerrain::rebuild,
-                        Surfaces.of(0.4f, 0f),
-                        GoldenTerrain::floor),
-                new GoldenScene(
-                        "wrapped-seams",
-                        Scenes.gas(2_500, Scenes.SEED),
-                        GoldenChange.NONE,
-                        Edge.WRAP,
-                        Edge.WRAP,
-                        Surfaces.NONE,
-                        GoldenTerrain::seams),
-                new GoldenScene(
+                of("floor-rebuilt", pile(), GoldenTerrain::rebuild, grip(0.4f, 0f), GoldenTerrain::floor),
+                of("wrapped-seams", gas(), NONE, Edge.WRAP, Edge.WRAP, Surfaces.NONE, GoldenTerrain::seams),
+                of(
                         "bridge",
                         JointedScenes.bridge(GoldenJoints.PLANKS, 400),
-                        GoldenChange.NONE,
-                        Surfaces.of(0.5f, 0f),
+                        NONE,
+                        grip(0.5f, 0f),
                         GoldenJoints::bridge),
-                new GoldenScene(
-                        "blobs",
-                        JointedScenes.blobs(300, GoldenJoints.OF_BLOB),
-                        GoldenChange.NONE,
-                        Surfaces.of(0.3f, 0f),
-                        GoldenJoints::blobs),
-                new GoldenScene(
-                        "ropes",
-                        JointedScenes.ropes(40, GoldenJoints.LINKS),
-                        GoldenChange.NONE,
-                        Surfaces.NONE,
-                        GoldenJoints::ropes),
-                new GoldenScene(
-                        "wheel",
-                        JointedScenes.wheel(100),
-                        GoldenChange::timeStep,
-                        Surfaces.of(0.4f, 0f),
-                        GoldenJoints::wheel),
-                new GoldenScene(
+                of("blobs", JointedScenes.blobs(300, GoldenJoints.OF_BLOB), NONE, grip(0.3f, 0f), GoldenJoints::blobs),
+                of("ropes", JointedScenes.ropes(40, GoldenJoints.LINKS), NONE, Surfaces.NONE, GoldenJoints::ropes),
+                of("wheel", JointedScenes.wheel(100), GoldenChange::timeStep, grip(0.4f, 0f), GoldenJoints::wheel),
+                of(
                         "wrapped-joints",
-                        Scenes.gas(1_000, Scenes.SEED),
-                        GoldenChange.NONE,
+                        Scenes.gas(1_000, SEED),
+                        NONE,
                         Edge.WRAP,
                         Edge.WRAP,
                         Surfaces.NONE,
                         GoldenJoints::seams),
-                new GoldenScene(
-                        "carts",
-                        JointedScenes.carts(40),
-                        GoldenChange.NONE,
-                        Surfaces.of(0.8f, 0f),
-                        GoldenJoints::carts),
-                new GoldenScene(
-                        "nets-churned",
-                        HardScenes.pile(40, 30, Scenes.SEED),
-                        GoldenJoints::rejoin,
-                        Surfaces.of(0.3f, 0f),
-                        GoldenJoints::net),
-                new GoldenScene("asleep-ball", heap(), GoldenSleep::ball).sleeping(),
-                new GoldenScene("asleep-pour", heap(), GoldenSleep::pour, Surfaces.of(0.6f, 0.02f)).sleeping(),
-                new GoldenScene("asleep-support", heap(), GoldenSleep::support, Surfaces.of(0.4f, 0.02f)).sleeping(),
-                new GoldenScene("asleep-tilt", heap(), GoldenSleep::tilt, Surfaces.of(0.6f, 0.05f)).sleeping(),
-                new GoldenScene("asleep-calls", heap(), GoldenSleep::calls, Surfaces.of(0.3f, 0f)).sleeping(),
-                new GoldenScene("asleep-mixed", mixedHeap(), GoldenSleep::ball, Surfaces.of(0.5f, 0f)).sleeping(),
-                new GoldenScene("asleep-time-steps", heap(), GoldenSleep::timeStep, Surfaces.of(0.6f, 0f)).sleeping(),
-                new GoldenScene(
-                                "asleep-wrapped",
-                                heap(),
-                                GoldenSleep::ball,
-                                Edge.WRAP,
-                                Edge.WALL,
-                                Surfaces.of(0.5f, 0.02f))
+                of("carts", JointedScenes.carts(40), NONE, grip(0.8f, 0f), GoldenJoints::carts),
+                of("nets-churned", pile(), GoldenJoints::rejoin, grip(0.3f, 0f), GoldenJoints::net),
+                of("asleep-ball", heap(), GoldenSleep::ball).sleeping(),
+                of("asleep-pour", heap(), GoldenSleep::pour, grip(0.6f, 0.02f)).sleeping(),
+                of("asleep-support", heap(), GoldenSleep::support, grip(0.4f, 0.02f))
                         .sleeping(),
-                new GoldenScene("asleep-lift", heap(), GoldenSleep::lift, Surfaces.of(0.5f, 0f), GoldenSleep::ground)
+                of("asleep-tilt", heap(), GoldenSleep::tilt, grip(0.6f, 0.05f)).sleeping(),
+                of("asleep-calls", heap(), GoldenSleep::calls, grip(0.3f, 0f)).sleeping(),
+                of("asleep-mixed", mixedHeap(), GoldenSleep::ball, grip(0.5f, 0f))
                         .sleeping(),
-                new GoldenScene("asleep-rope", heap(), GoldenSleep::pull, Surfaces.of(0.5f, 0f), GoldenSleep::rope)
+                of("asleep-time-steps", heap(), GoldenSleep::timeStep, grip(0.6f, 0f))
                         .sleeping(),
-                new GoldenScene(
-                                "asleep-joints",
-                                heap(),
-                                GoldenSleep::changeJoints,
-                                Surfaces.of(0.5f, 0.02f),
-                                GoldenSleep::joints)
+                of("asleep-wrapped", heap(), GoldenSleep::ball, Edge.WRAP, Edge.WALL, grip(0.5f, 0.02f))
                         .sleeping(),
-                new GoldenScene(
-                                "bodies-pyramid",
-                                BodyScenes.ball(),
-                                GoldenBodies::ball,
-                                Surfaces.of(0.6f, 0f),
-                                GoldenBodies::pyramid)
+                of("asleep-lift", heap(), GoldenSleep::lift, grip(0.5f, 0f), GoldenSleep::ground)
+                        .sleeping(),
+                of("asleep-rope", heap(), GoldenSleep::pull, grip(0.5f, 0f), GoldenSleep::rope)
+                        .sleeping(),
+                of("asleep-joints", heap(), GoldenSleep::changeJoints, grip(0.5f, 0.02f), GoldenSleep::joints)
+                        .sleeping(),
+                of("bodies-pyramid", BodyScenes.ball(), GoldenBodies::ball, grip(0.6f, 0f), GoldenBodies::pyramid)
                         .with(GoldenBodies.OF_PYRAMID),
-                new GoldenScene(
-                                "bodies-dominoes",
-                                BodyScenes.ball(),
-                                GoldenChange.NONE,
-                                Surfaces.of(0.5f, 0.01f),
-                                GoldenBodies::dominoes)
+                of("bodies-dominoes", BodyScenes.ball(), NONE, grip(0.5f, 0.01f), GoldenBodies::dominoes)
                         .with(GoldenBodies.DOMINOES),
-                new GoldenScene(
-                                "bodies-in-ball-pit",
-                                BodyScenes.pit(),
-                                GoldenChange.NONE,
-                                Surfaces.of(0.4f, 0f),
-                                GoldenBodies::crates)
+                of("bodies-in-ball-pit", BodyScenes.pit(), NONE, grip(0.4f, 0f), GoldenBodies::crates)
                         .with(GoldenBodies.CRATES),
-                new GoldenScene(
-                                "bodies-gears",
-                                BodyScenes.ball(),
-                                GoldenBodies::drive,
-                                Surfaces.of(0.1f, 0f),
-                                GoldenBodies::gears)
+                of("bodies-gears", BodyScenes.ball(), GoldenBodies::drive, grip(0.1f, 0f), GoldenBodies::gears)
                         .with(2),
-                new GoldenScene(
-                                "bodies-in-drum",
-                                HardScenes.core(30, 0.15f, Scenes.SEED),
-                                GoldenChange.NONE,
-                                Surfaces.of(0.6f, 0.02f),
-                                GoldenBodies::drum)
+                of("bodies-in-drum", HardScenes.core(30, 0.15f, SEED), NONE, grip(0.6f, 0.02f), GoldenBodies::drum)
                         .with(GoldenBodies.MIXED),
-                new GoldenScene(
-                                "bodies-churned",
-                                BodyScenes.mixed(),
-                                GoldenBodies::churn,
-                                Surfaces.of(0.5f, 0.02f),
-                                GoldenBodies::mixed)
+                of("bodies-churned", BodyScenes.mixed(), GoldenBodies::churn, grip(0.5f, 0.02f), GoldenBodies::mixed)
                         .with(GoldenBodies.MIXED),
-                new GoldenScene(
+                of(
                                 "bodies-bouncy-wrapped",
                                 BodyScenes.mixed(),
                                 GoldenBodies::bounce,
                                 Edge.WRAP,
                                 Edge.WALL,
-                                Surfaces.of(0.3f, 0f).withWall(2, 0.8f, 0f, 0.4f),
+                                grip(0.3f, 0f).withWall(2, 0.8f, 0f, 0.4f),
                                 GoldenBodies::mixed)
                         .with(GoldenBodies.MIXED),
-                new GoldenScene(
+                of(
                                 "bodies-open",
                                 BodyScenes.mixed(),
                                 GoldenChange::timeStep,
                                 Edge.OPEN,
                                 Edge.OPEN,
-                                Surfaces.of(0.6f, 0f),
+                                grip(0.6f, 0f),
                                 GoldenBodies::onLand)
                         .with(GoldenBodies.MIXED),
-                new GoldenScene(
-                                "bodies-walls",
-                                BodyScenes.mixed(),
-                                GoldenChange::walls,
-                                Surfaces.of(0.4f, 0f),
-                                GoldenBodies::mixed)
+                of("bodies-walls", BodyScenes.mixed(), GoldenChange::walls, grip(0.4f, 0f), GoldenBodies::mixed)
                         .with(GoldenBodies.MIXED),
-                new GoldenScene(
+                of(
                                 "bodies-under-boulder",
                                 BodyScenes.boulder(),
                                 GoldenTerrain::lift,
-                                Surfaces.of(0.5f, 0f),
+                                grip(0.5f, 0f),
                                 GoldenBodies::onLifts)
                         .with(GoldenBodies.ON_LIFTS),
-                new GoldenScene(
-                                "bodies-on-ends",
-                                BodyScenes.ball(),
-                                GoldenChange.NONE,
-                                Surfaces.of(0.4f, 0.01f),
-                                GoldenBodies::onEnds)
+                of("bodies-on-ends", BodyScenes.ball(), NONE, grip(0.4f, 0.01f), GoldenBodies::onEnds)
                         .with(GoldenBodies.ON_ENDS),
-                new GoldenScene(
-                                "bodies-driven",
-                                BodyScenes.mixed(),
-                                GoldenBodies::steer,
-                                Surfaces.of(0.5f, 0.01f),
-                                GoldenBodies::groups)
+                of("bodies-driven", BodyScenes.mixed(), GoldenBodies::steer, grip(0.5f, 0.01f), GoldenBodies::groups)
                         .with(GoldenBodies.MIXED),
-                new GoldenScene(
+                of(
                                 "bodies-jointed",
                                 BodyScenes.mixed(),
                                 GoldenBodies::rejoin,
                                 Edge.WRAP,
                                 Edge.WALL,
-                                Surfaces.of(0.5f, 0.01f),
+                                grip(0.5f, 0.01f),
                                 GoldenBodies::machines)
                         .with(GoldenBodies.MIXED),
-                new GoldenScene(
-                                "bodies-crossed",
-                                BodyScenes.ball(),
-                                GoldenBodies::cross,
-                                Surfaces.of(0.5f, 0.01f),
-                                GoldenBodies::crossed)
+                of("bodies-crossed", BodyScenes.ball(), GoldenBodies::cross, grip(0.5f, 0.01f), GoldenBodies::crossed)
                         .with(GoldenBodies.CROSSED),
-                new GoldenScene(
-                                "bodies-asleep",
-                                BodyScenes.ball(),
-                                GoldenSleep::crates,
-                                Surfaces.of(0.6f, 0.02f),
-                                GoldenBodies::pyramid)
+                of("bodies-asleep", BodyScenes.ball(), GoldenSleep::crates, grip(0.6f, 0.02f), GoldenBodies::pyramid)
                         .sleeping()
                         .with(GoldenBodies.OF_PYRAMID));
     }
 
+    private static Surfaces grip(float friction, float rollingResistance) {
+        return Surfaces.of(friction, rollingResistance);
+    }
+
+    private static Scene gas() {
+        return Scenes.gas(2_500, SEED);
+    }
+
+    private static Scene mixed() {
+        return Scenes.mixed(4_000, SEED);
+    }
+
+    private static Scene pile() {
+        return HardScenes.pile(40, 30, SEED);
+    }
+
+    private static Scene paddles() {
+        return HardScenes.paddles(20, 30, SEED);
+    }
+
     private static Scene heap() {
-        return HardScenes.pile(15, 10, Scenes.SEED);
+        return HardScenes.pile(15, 10, SEED);
     }
 
     private static Scene mixedHeap() {
-        return HardScenes.mixedPile(15, 10, Scenes.SEED);
+        return HardScenes.mixedPile(15, 10, SEED);
     }
 
     private GoldenScene sleeping() {
@@ -443,7 +318,7 @@ record GoldenScene(
     final class Run implements AutoCloseable {
         private final World owned;
         private final WorldCalls world;
-        private final SplittableRandom random = new SplittableRandom(Scenes.SEED);
+        private final SplittableRandom random = new SplittableRandom(SEED);
         private float timeStep = scene.timeStep();
         private int steps;
 
@@ -472,7 +347,7 @@ record GoldenScene(
                     change.apply(this);
                 }
                 int next = target;
-                if (change != GoldenChange.NONE) {
+                if (change != NONE) {
                     next = Math.min(target, steps - steps % GoldenChange.PERIOD + GoldenChange.PERIOD);
                 }
                 world.step(timeStep, next - steps);

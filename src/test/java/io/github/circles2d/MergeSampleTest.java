@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.Constructor;
@@ -56,7 +57,7 @@ class MergeSampleTest {
                 Game game = new Game(loader, seed);
                 for (int frame = 0; frame < FRAMES && !game.isOver(); frame++) {
                     for (long grown : game.play()) {
-                        ByteBuffer state = RecordedCallsTest.snapshot(game.world);
+                        ByteBuffer state = snapshot(game.world);
                         merges++;
                         if (fastest(branch, state, grown, true) > FASTEST
                                 && fastest(branch, state, grown, false) <= FASTEST) {

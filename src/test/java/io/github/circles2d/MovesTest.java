@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -212,7 +213,7 @@ class MovesTest {
     /** Makes frames in both, and goes back to the last save when the device fails. Returns how often it did. */
     private static int frames(int seed, World world, World stays, RandomMoves moves) {
         Rewind rewind = new Rewind(stays, 1);
-        ByteBuffer saved = save(world);
+        ByteBuffer saved = snapshot(world);
         rewind.save(0);
         int losses = 0;
         for (int frame = 0; frame < 60; frame++) {
@@ -225,7 +226,7 @@ class MovesTest {
                 hash = world.hash();
                 events = text(world.events());
                 if (frame % 7 == 0) {
-                    saved = save(world);
+                    saved = snapshot(world);
                 }
             } catch (OpenClException lost) {
                 losses++;
@@ -250,12 +251,6 @@ class MovesTest {
             assertThat(events).isEqualTo(text(stays.events()));
         }
         return losses;
-    }
-
-    private static ByteBuffer save(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
     }
 
     static String text(Events events) {

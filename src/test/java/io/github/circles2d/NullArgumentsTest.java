@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
@@ -67,36 +68,13 @@ class NullArgumentsTest {
                 Map.of(
                         "handles", () -> world.removeAll(null, 0, stale),
                         "stale", () -> world.removeAll(handles, 0, null)));
-        calls.put(
-                "World.setPositions",
-                Map.of(
-                        "handles", () -> world.setPositions(null, 0, values, stale),
-                        "positions", () -> world.setPositions(handles, 0, null, stale),
-                        "stale", () -> world.setPositions(handles, 0, values, null)));
-        calls.put(
-                "World.setVelocities",
-                Map.of(
-                        "handles", () -> world.setVelocities(null, 0, values, stale),
-                        "velocities", () -> world.setVelocities(handles, 0, null, stale),
-                        "stale", () -> world.setVelocities(handles, 0, values, null)));
-        calls.put(
-                "World.applyImpulses",
-                Map.of(
-                        "handles", () -> world.applyImpulses(null, 0, values, stale),
-                        "impulses", () -> world.applyImpulses(handles, 0, null, stale),
-                        "stale", () -> world.applyImpulses(handles, 0, values, null)));
-        calls.put(
-                "World.setForces",
-                Map.of(
-                        "handles", () -> world.setForces(null, 0, values, stale),
-                        "forces", () -> world.setForces(handles, 0, null, stale),
-                        "stale", () -> world.setForces(handles, 0, values, null)));
+        calls.put("World.setPositions", many("positions", (h, v, s) -> world.setPositions(h, 0, v, s)));
+        calls.put("World.setVelocities", many("velocities", (h, v, s) -> world.setVelocities(h, 0, v, s)));
+        calls.put("World.applyImpulses", many("impulses", (h, v, s) -> world.applyImpulses(h, 0, v, s)));
+        calls.put("World.setForces", many("forces", (h, v, s) -> world.setForces(h, 0, v, s)));
         calls.put(
                 "World.setAngularVelocities",
-                Map.of(
-                        "handles", () -> world.setAngularVelocities(null, 0, values, stale),
-                        "angularVelocities", () -> world.setAngularVelocities(handles, 0, null, stale),
-                        "stale", () -> world.setAngularVelocities(handles, 0, values, null)));
+                many("angularVelocities", (h, v, s) -> world.setAngularVelocities(h, 0, v, s)));
         calls.put("World.setWallSurface", Map.of("wall", () -> world.setWallSurface(null, 0, 0, 0)));
         calls.put("World.wallFriction", Map.of("wall", () -> world.wallFriction(null)));
         calls.put("World.wallRollingResistance", Map.of("wall", () -> world.wallRollingResistance(null)));
@@ -108,12 +86,7 @@ class NullArgumentsTest {
         calls.put(
                 "World.readAngularVelocitiesById",
                 Map.of("angularVelocities", () -> world.readAngularVelocitiesById(null, null)));
-        calls.put(
-                "World.setKinds",
-                Map.of(
-                        "handles", () -> world.setKinds(null, 0, new int[0], stale),
-                        "kinds", () -> world.setKinds(handles, 0, null, stale),
-                        "stale", () -> world.setKinds(handles, 0, new int[0], null)));
+        calls.put("World.setKinds", many("kinds", (h, v, s) -> world.setKinds(h, 0, v == null ? null : new int[0], s)));
         calls.put("World.setResponse", Map.of("response", () -> world.setResponse(0, 0, null)));
         calls.put("World.read", Map.of("circles", () -> {
             refusal(() -> world.read((FloatBuffer) null), "circles");
@@ -186,11 +159,7 @@ class NullArgumentsTest {
         calls.put("Bodies.applyImpulses", many("impulses", (h, v, s) -> bodies.applyImpulses(h, 0, v, s)));
         calls.put("Bodies.setForces", many("forces", (h, v, s) -> bodies.setForces(h, 0, v, s)));
         calls.put(
-                "Bodies.setKinds",
-                Map.of(
-                        "handles", () -> bodies.setKinds(null, 0, new int[0], stale),
-                        "kinds", () -> bodies.setKinds(handles, 0, null, stale),
-                        "stale", () -> bodies.setKinds(handles, 0, new int[0], null)));
+                "Bodies.setKinds", many("kinds", (h, v, s) -> bodies.setKinds(h, 0, v == null ? null : new int[0], s)));
         calls.put("Bodies.readById", Map.of("bodies", () -> bodies.readById(null, null)));
         calls.put("Bodies.readVelocitiesById", Map.of("velocities", () -> bodies.readVelocitiesById(null, null)));
         calls.put("Bodies.touching", Map.of("handles", () -> bodies.touching(0, null)));
@@ -309,9 +278,9 @@ class NullArgumentsTest {
     @Test
     void aNullIsRefusedByTheNameOfItsParameter() {
         world.add(0.5f, 0.5f, 0.1f, 1);
-        ByteBuffer before = RecordedCallsTest.snapshot(world);
+        ByteBuffer before = snapshot(world);
         calls().forEach((method, byParameter) -> byParameter.forEach((name, call) -> refusal(call, name)));
-        assertThat(RecordedCallsTest.snapshot(world)).isEqualTo(before);
+        assertThat(snapshot(world)).isEqualTo(before);
     }
 
     private static void refusal(ThrowingCallable call, String name) {

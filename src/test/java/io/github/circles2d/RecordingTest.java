@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -43,14 +44,14 @@ class RecordingTest {
         ByteBuffer end;
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
             log = record(world, 7);
-            end = RecordedCallsTest.snapshot(world);
+            end = snapshot(world);
         }
         for (Backend other : TestBackends.all()) {
             try (World player = World.builder().backend(other).build()) {
                 Replay replay = replay(log, player).run();
                 assertThat(replay.difference()).isEqualTo("no difference in " + replay.steps() + " steps");
                 assertThat(replay.equalUpTo()).isEqualTo(replay.steps()).isEqualTo(STEPS);
-                assertThat(RecordedCallsTest.snapshot(player)).isEqualTo(end);
+                assertThat(snapshot(player)).isEqualTo(end);
             }
         }
     }

@@ -1,13 +1,13 @@
 package io.github.circles2d;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
-import java.nio.ByteBuffer;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -220,11 +220,5 @@ class RewindTest {
         assertThatIllegalStateException()
                 .isThrownBy(() -> new Rewind(world, 3))
                 .withMessage("this World has been closed");
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
     }
 }

@@ -1,21 +1,9 @@
 package io.github.circles2d;
 
 /** A disc of radius 0.5 and mass 1, without walls; terrain has the friction and the restitution that the disc has. */
-final class TerrainBall implements AutoCloseable {
-    static final float R = 0.5f;
-    static final double G = 10;
-    static final double DT = 1 / 60.0;
-
-    /** The kind of circles that do not turn. */
-    static final int LOCKED = 1;
-
-    final World world;
-    final long handle;
-
+final class TerrainBall extends Ball {
     private TerrainBall(World world, double x, double y, double mass, int kind) {
-        this.world = world;
-        world.kind(LOCKED).setInertia(Inertia.NONE);
-        handle = world.add((float) x, (float) y, R, (float) mass, 0, 0, kind);
+        super(world, x, y, mass, kind);
     }
 
     /** A builder for worlds in which everything has these surfaces. */
@@ -63,38 +51,8 @@ final class TerrainBall implements AutoCloseable {
         return this;
     }
 
-    void step(int steps) {
-        world.step((float) DT, steps);
-    }
-
-    double x() {
-        return world.x(handle);
-    }
-
-    double y() {
-        return world.y(handle);
-    }
-
-    double vx() {
-        return world.vx(handle);
-    }
-
-    double vy() {
-        return world.vy(handle);
-    }
-
-    double speed() {
-        return Math.hypot(vx(), vy());
-    }
-
     /** Of the motion and of the turning. */
     double kineticEnergy() {
-        double surface = world.angularVelocity(handle) * R;
-        return 0.5 * speed() * speed() + 0.25 * surface * surface;
-    }
-
-    @Override
-    public void close() {
-        world.close();
+        return 0.5 * speed() * speed() + 0.25 * surfaceSpeed() * surfaceSpeed();
     }
 }

@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
@@ -24,12 +25,6 @@ class WorldBodiesBulkTest {
                 WorldScenes.jvm().bounds(0, 0, 20, 10).gravity(0, 0).threads(1).build();
         world.kind(3).setRestitution(0.75f);
         return world;
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
     }
 
     /** A call about many bodies with three values for each, of which some use fewer, and the single calls that do the same. */

@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -17,12 +18,6 @@ class WorldBodiesTest {
 
     private static World world() {
         return WorldScenes.jvm().bounds(0, 0, 20, 10).gravity(0, 0).threads(1).build();
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
     }
 
     /** Of numbers that are not finite a compiled method makes others than one that is interpreted. */

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -251,9 +252,7 @@ class WorldBodySensorTest {
             world.bodies().add(CRATE, 20, 20, 0, 1);
             world.add(21, 21, 0.3f, 1);
             world.step(DT);
-            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
-            world.snapshot(snapshot);
-            snapshot.flip();
+            ByteBuffer snapshot = snapshot(world);
             other.restore(snapshot);
             other.step(DT);
             assertThat(told(other)).isEmpty();

@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -272,7 +273,7 @@ class WorldBulkTest {
             world.setKinds(handles, 3, new int[] {4, 4, 1}, StaleHandles.REFUSE);
             assertThat(world.restitution(handles[1])).isEqualTo(0.75f);
             assertThat(world.restitution(handles[2])).isEqualTo(0.5f);
-            ByteBuffer snapshot = RecordedCallsTest.snapshot(world);
+            ByteBuffer snapshot = snapshot(world);
             try (World restored = world()) {
                 restored.restore(snapshot);
                 assertThat(restored.kindOf(handles[1])).isEqualTo(4);

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.reference.Event;
@@ -71,14 +72,14 @@ class WorldClearTest {
                 world.clear();
                 removeEach(same);
                 assertThat(world.size()).isZero();
-                assertThat(RecordedCallsTest.snapshot(world)).isEqualTo(RecordedCallsTest.snapshot(same));
+                assertThat(snapshot(world)).isEqualTo(snapshot(same));
                 for (World each : List.of(world, same)) {
                     addSome(each);
                     each.step(STEP, 20);
                 }
                 assertThat(Event.of(world.events())).isEqualTo(Event.of(same.events()));
                 assertThat(world.hash()).isEqualTo(same.hash());
-                assertThat(RecordedCallsTest.snapshot(world)).isEqualTo(RecordedCallsTest.snapshot(same));
+                assertThat(snapshot(world)).isEqualTo(snapshot(same));
             }
         }
     }

@@ -1,9 +1,9 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import java.nio.ByteBuffer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -158,11 +158,5 @@ class WorldContactSettingsTest {
             other.step(DT, 20);
             assertThat(usual.hash()).isEqualTo(other.hash());
         }
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(snapshot);
-        return snapshot.flip();
     }
 }

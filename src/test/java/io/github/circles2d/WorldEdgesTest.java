@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -555,9 +556,7 @@ class WorldEdgesTest {
             world.step(STEP);
             assertThat(world.x(circle)).isNegative();
             long hash = world.hash();
-            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
-            world.snapshot(snapshot);
-            snapshot.flip();
+            ByteBuffer snapshot = snapshot(world);
             world.clear();
             world.restore(snapshot);
             assertThat(world.hash()).isEqualTo(hash);

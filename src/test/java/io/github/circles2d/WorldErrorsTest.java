@@ -1,12 +1,12 @@
 package io.github.circles2d;
 
 import static io.github.circles2d.Refusals.assertIllegalState;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
 import io.github.circles2d.opencl.DeviceMemoryException;
-import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.shared.Pipeline;
@@ -221,9 +221,7 @@ class WorldErrorsTest {
     @Test
     void aRestoreThatFindsTooLittleMemoryChangesNothing() {
         try (World world = world()) {
-            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
-            world.snapshot(snapshot);
-            snapshot.flip();
+            ByteBuffer snapshot = snapshot(world);
             world.remove(1L << 32);
             long hash = world.hash();
             for (String method : List.of("makeRoom", "prepare")) {
@@ -246,9 +244,7 @@ class WorldErrorsTest {
             new OutOfMemoryError(), new StackOverflowError(), new AssertionError(), new IllegalStateException()
         }) {
             try (World world = world()) {
-                ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
-                world.snapshot(snapshot);
-                snapshot.flip();
+                ByteBuffer snapshot = snapshot(world);
                 world.setVelocity(1L << 32, 1, 0);
                 failing.put(method, cause);
                 assertThatThrownBy(() -> {
@@ -275,18 +271,6 @@ class WorldErrorsTest {
         assertThatThrownBy(() -> world.step(STEP))
                 .isInstanceOf(IllegalStateException.class)
                 .hasCause(cause);
-    }
-
-    @Test
-    @Tag("long")
-    void whereverMemoryEndsInAReadOrBeforeAChangeNothingIsLost() {
-        ForkedJvm.Result result = new ForkedJvm()
-                .option("-Xmx24m")
-                .option("-XX:+UseSerialGC")
-                .option("-XX:TieredStopAtLevel=1")
-                .run(MemoryEnds.class);
-        assertThat(result.output()).isEqualToIgnoringNewLines("0 wrong, out of memory often");
-        assertThat(result.exitStatus()).isZero();
     }
 
     @Test

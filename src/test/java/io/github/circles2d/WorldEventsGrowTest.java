@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.TestScale;
@@ -68,7 +69,7 @@ class WorldEventsGrowTest {
                 assertThat(ofWorld.events(step)).as(what).isEqualTo(expected);
                 assertThat(world.hash()).as(what).isEqualTo(oracle.hash());
                 if (step % 3 == 0) {
-                    assertThat(snapshotOf(world)).as(what).isEqualTo(snapshotOf(oracle));
+                    assertThat(snapshot(world)).as(what).isEqualTo(snapshot(oracle));
                 }
             }
             assertThat(ofPieces).isBetween(withTerrain ? 20 : 0, withTerrain ? Integer.MAX_VALUE : 0);
@@ -88,14 +89,8 @@ class WorldEventsGrowTest {
     private static int assertSame(World oracle, World world, String when) {
         List<Event> expected = Event.of(oracle.events());
         assertThat(Event.of(world.events())).as(when).isEqualTo(expected);
-        assertThat(snapshotOf(world)).as(when).isEqualTo(snapshotOf(oracle));
+        assertThat(snapshot(world)).as(when).isEqualTo(snapshot(oracle));
         return expected.size();
-    }
-
-    private static ByteBuffer snapshotOf(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
     }
 
     /** The same calls on any world, by a seed. */
@@ -151,7 +146,7 @@ class WorldEventsGrowTest {
                     break;
                 case 4:
                     what = "snapshot";
-                    saved = snapshotOf(world);
+                    saved = snapshot(world);
                     savedHandles = new ArrayList<>(handles);
                     break;
                 case 5:

@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
+import io.github.circles2d.fuzz.Soundness;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
@@ -19,8 +20,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Random programs of calls with hostile values. Each call is refused with an IllegalArgumentException and changes nothing, or
- * does what a plain model of the world does; the state is finite and within the bounds whatever happens. That all back ends and numbers of
- * threads agree is for {@link io.github.circles2d.fuzz.FuzzTest}. The system property
+ * does what a plain model of the world does; the state is finite and within the bounds whatever happens. Terrain, joints and bodies, and that all back ends and
+ * numbers of threads agree, are for {@link io.github.circles2d.fuzz.FuzzTest}. The system property
  * circles2d.fuzz.programs sets the number of programs, circles2d.fuzz.seed the first one's seed.
  */
 @Tag("each-jdk")
@@ -106,9 +107,6 @@ class WorldFuzzTest {
     private static final class Program {
         private final long seed;
         private final Random random;
-        private final boolean hasTerrain;
-        private final boolean hasJoints;
-        private final List<Long> bodies = new ArrayList<>(List.of(0L, -1L, 77L));
         private List<Long> stale = new ArrayList<>(List.of(0L, -1L, 77L));
 
         /** Most circles of a program have radii of about the arena over 10 to the power of this. */
@@ -135,8 +133,6 @@ class WorldFuzzTest {
             this.seed = seed;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
-            hasTerrain = new Random(~seed).nextInt(3) == 0;
-            hasJoints = new Random(seed + 99).nextInt(3) == 0;
         }
 
         void run() {
@@ -233,12 +229,6 @@ class WorldFuzzTest {
         }
 
         private void call() throws IOException {
-            if (hasTerrain && random.nextInt(3) == 0) {
-                changeTerrain();
-            }
-            if (hasJoints && random.nextInt(2) == 0) {
-                changeJoints();
-            }
             switch (random.nextInt(39)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
@@ -271,163 +261,6 @@ class WorldFuzzTest {
                 case 37 -> setWallSurface();
                 case 38 -> setOwnMotion();
                 default -> step();
-            }
-        }
-
-        // ---- terrain
-
-        private void changeTerrain() {
-            Terrain terrain = world.terrain();
-            int kind = kind();
-            float[] v = new float[6];
-            for (int k = 0; k < v.length; k++) {
-                v[k] = k % 2 == 0 ? value(model.minX, model.maxX) : value(model.minY, model.maxY);
-            }
-            float size = value(0, model.maxX - model.minX);
-            float angle = value(-7, 7);
-            ArcSide side = ArcSide.values()[random.nextInt(2)];
-            long piece = random.nextInt(8) == 0 || terrain.idLimit() == 0
-                    ? random.nextLong()
-                    : terrain.handle(random.nextInt(terrain.idLimit()));
-            long body = bodies.get(random.nextInt(bodies.size()));
-            last = "terrain " + Arrays.toString(v) + " " + size + " " + angle + " " + kind + " " + body;
-            refuseOrTake(() -> {
-                switch (random.nextInt(14)) {
-                    case 0 -> terrain.addSegment(v[0], v[1], v[2], v[3], random.nextBoolean() ? 0 : size, kind);
-                    case 1 -> terrain.addArc(v[0], v[1], size, angle, value(-7, 7), side, kind);
-                    case 2 -> terrain.addChain(chain(v, angle), kind, null);
-                    case 3 -> terrain.addSegments(v.clone(), kind, new long[random.nextInt(3)]);
-                    case 4 -> bodies.add(terrain.addBody(v[0], v[1], angle).handle());
-                    case 5 -> terrain.remove(piece);
-                    case 6 -> terrain.setKind(piece, kind);
-                    case 7 -> terrain.body(body).addSegment(-size, 0, size, 0, 0, kind);
-                    case 8 -> terrain.body(body).addArc(0, 0, size, 0, angle, side, kind);
-                    case 9 -> terrain.body(body).setVelocity(value(-speed(), speed()), value(-speed(), speed()));
-                    case 10 -> terrain.body(body).setAngularVelocity(value(-speed(), speed()));
-                    case 11 -> terrain.body(body).moveTo(v[0], v[1], angle);
-                    case 12 -> terrain.body(body).teleport(v[0], v[1], angle);
-                    default -> removeTerrain(terrain, body);
-                }
-            });
-            last = "one-way " + kind;
-            ask(!isKind(kind), () -> world.kind(kind).setOneWay(random.nextBoolean()));
-        }
-
-        // ---- joints
-
-        private void changeJoints() {
-            Joints joints = world.joints();
-            long a = handle();
-            long b = handle();
-            long body = bodies.get(random.nextInt(bodies.size()));
-            long joint = random.nextInt(8) == 0 || joints.idLimit() == 0
-                    ? random.nextLong()
-                    : joints.handle(random.nextInt(joints.idLimit()));
-            float x = value(model.minX, model.maxX);
-            float y = value(model.minY, model.maxY);
-            float size = value(0, model.maxX - model.minX);
-            float force = random.nextInt(3) == 0 ? value(0, 1e18f) : value(0, 100);
-            last = "joints " + a + " " + b + " " + joint + " " + x + " " + y + " " + size + " " + force;
-            refuseOrTake(() -> {
-                switch (random.nextInt(16)) {
-                    case 0, 1, 2, 3 -> joints.add(a, b, joint(size, force));
-                    case 4, 5 -> joints.add(a, x, y, joint(size, force));
-                    case 6 -> joints.add(a, joint(size, force));
-                    case 7 -> joints.add(a, world.terrain().body(body), x, y, joint(size, force));
-                    case 8 ->
-                        joints.addAll(new long[] {a, b, a}, new long[] {b, a, handle()}, joint(size, force), null);
-                    case 9 -> joints.remove(joint);
-                    case 10 -> joints.removeAll(new long[] {joint, random.nextBoolean() ? joint : 0});
-                    case 11 -> setJoint(joints, joint, size, force);
-                    case 12 -> joints.report(random.nextBoolean());
-                    case 13 -> readJoints(joints, a);
-                    case 14 -> joints.setBreaking(joint, force, value(0, 10));
-                    default -> {
-                        if (random.nextInt(4) == 0) {
-                            joints.clear();
-                        }
-                    }
-                }
-            });
-        }
-
-        private Joint joint(float size, float force) {
-            float hertz = value(0, 60);
-            float damping = value(0, 2);
-            Joint joint =
-                    switch (random.nextInt(10)) {
-                        case 0 -> Joint.distance();
-                        case 1 -> Joint.distance(size);
-                        case 2 -> Joint.spring(hertz, damping).withLimits(0.5f * size, size);
-                        case 3 -> Joint.rope(size);
-                        case 4 -> Joint.pin();
-                        case 5 -> Joint.mouse(hertz, damping, force);
-                        case 6 -> Joint.motor(value(-100, 100), force);
-                        case 7 -> Joint.servo(value(-7, 7), hertz, damping, force);
-                        case 8 -> Joint.friction(force, size);
-                        default -> Joint.weld();
-                    };
-            if (random.nextInt(4) == 0) {
-                joint = joint.breakingAt(force, value(0, 100));
-            }
-            return random.nextInt(4) == 0 ? joint.colliding(true) : joint;
-        }
-
-        private void setJoint(Joints joints, long joint, float size, float force) {
-            switch (random.nextInt(9)) {
-                case 0 -> joints.setAnchor(joint, size, force);
-                case 1 -> joints.setLength(joint, size);
-                case 2 -> joints.setLimits(joint, 0.5f * size, size);
-                case 3 -> joints.setSpring(joint, size, force);
-                case 4 -> joints.setSpeed(joint, force);
-                case 5 -> joints.setAngle(joint, size);
-                case 6 -> joints.setMaxForce(joint, force);
-                case 7 -> joints.setMaxTorque(joint, force);
-                default -> joints.setColliding(joint, random.nextBoolean());
-            }
-        }
-
-        private void readJoints(Joints joints, long circle) {
-            float[] ends = new float[4 * joints.size()];
-            joints.readEnds(ends);
-            for (float each : ends) {
-                assertThat(each).isFinite();
-            }
-            for (int id = 0; id < joints.idLimit(); id++) {
-                long joint = joints.handle(id);
-                if (joint != 0) {
-                    assertThat(joints.force(joint)).isNotNaN();
-                    assertThat(joints.torque(joint)).isNotNaN();
-                    assertThat(joints.length(joint)).isFinite();
-                    assertThat(world.contains(joints.circle(joint))).isTrue();
-                }
-            }
-            joints.events();
-            joints.ofCircle(circle, new long[joints.size()]);
-        }
-
-        private Chain chain(float[] v, float angle) {
-            Chain chain = Chain.from(v[0], v[1]).lineTo(v[2], v[3]);
-            chain = random.nextBoolean() ? chain.lineTo(v[4], v[5]) : chain.arcTo(v[4], v[5], angle);
-            return random.nextBoolean() ? chain.close() : chain;
-        }
-
-        private void removeTerrain(Terrain terrain, long body) {
-            if (random.nextInt(4) == 0) {
-                terrain.clear();
-            } else {
-                terrain.body(body).remove();
-            }
-        }
-
-        /** What is refused changes nothing. */
-        private void refuseOrTake(Runnable call) {
-            long before = world.hash();
-            try {
-                call.run();
-            } catch (IllegalArgumentException | IllegalStateException e) {
-                assertThat(e.getMessage()).isNotEmpty();
-                assertThat(world.hash()).as("after: " + e.getMessage()).isEqualTo(before);
             }
         }
 
@@ -600,28 +433,7 @@ class WorldFuzzTest {
             if (random.nextBoolean()) {
                 last = "requestEvents";
                 world.requestEvents();
-                checkEvents(world.takeEvents());
-            }
-        }
-
-        /** Every event is of finite numbers. */
-        private void checkEvents() {
-            checkEvents(world.events());
-        }
-
-        private void checkEvents(Events events) {
-            for (int i = 0; i < events.size(); i++) {
-                boolean sound = events.speed(i) >= 0
-                        && events.speed(i) < Float.POSITIVE_INFINITY
-                        && events.slipSpeed(i) >= 0
-                        && events.slipSpeed(i) < Float.POSITIVE_INFINITY
-                        && Math.abs(events.impulse(i)) < Float.POSITIVE_INFINITY
-                        && Math.abs(events.x(i)) < 1e10f
-                        && Math.abs(events.y(i)) < 1e10f
-                        && Math.abs(events.normalX(i)) < 1.001f
-                        && Math.abs(events.normalY(i)) < 1.001f
-                        && (events.side(i) == null && events.piece(i) == 0) == (events.b(i) != 0);
-                assertThat(sound).as("event %d", i).isTrue();
+                Soundness.require(world.takeEvents());
             }
         }
 
@@ -1012,7 +824,7 @@ class WorldFuzzTest {
                 model.grow(steps);
             });
             check();
-            checkEvents();
+            Soundness.require(world.events());
         }
 
         /** Makes a call that must be refused, or that may be where the values are odd; a refused one must change nothing. */

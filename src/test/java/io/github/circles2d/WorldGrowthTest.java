@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -23,10 +24,6 @@ class WorldGrowthTest {
 
     private static World world() {
         return world(Backend.JVM);
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        return RecordedCallsTest.snapshot(world);
     }
 
     @OnEachBackend

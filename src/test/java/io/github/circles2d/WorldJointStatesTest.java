@@ -1,9 +1,8 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Random;
@@ -204,60 +203,20 @@ class WorldJointStatesTest {
 
     @Test
     void rollingBackTenFramesInEachFrameGivesTheBitsOfRunningStraight() {
-        try (World straight = world(Edge.OPEN);
-                World rolling = world(Edge.OPEN)) {
-            Rewind rewind = new Rewind(rolling, 11);
-            for (int frame = 0; frame < 60; frame++) {
-                rewind.save(frame);
-                play(rolling, frame, frame - 1);
-                rolling.step(STEP);
-                int from = Math.max(0, frame - 9);
-                rewind.restore(from);
-                for (int k = from; k <= frame; k++) {
-                    rewind.save(k);
-                    play(rolling, k, frame);
-                    rolling.step(STEP);
-                }
-                play(straight, frame, frame);
-                straight.step(STEP);
-                assertThat(rolling.hash()).as("frame %d", frame).isEqualTo(straight.hash());
-            }
-            assertThat(snapshot(rolling)).isEqualTo(snapshot(straight));
-        }
+        StateRuns.rollBack(() -> world(Edge.OPEN), 60, WorldJointStatesTest::play);
     }
 
     @Test
     void aLogOfJointsIsMadeAgain() throws IOException {
-        ByteArrayOutputStream log = new ByteArrayOutputStream();
-        try (World world = world(Edge.WALL);
-                World player = builder(Edge.WALL).build()) {
-            try (Recording recording = new Recording(world, log, 1)) {
-                for (int frame = 0; frame < 100; frame++) {
-                    play(world, frame, frame);
-                    world.step(STEP, 1 + frame % 2);
-                }
-                world.joints().clear();
-                world.step(STEP, 3);
-                assertThat(recording.hasFailed()).isFalse();
-            }
-            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player);
-            assertThat(replay.run().differs()).as(replay.difference()).isFalse();
-            assertThat(snapshot(player)).isEqualTo(snapshot(world));
-        }
+        World player = builder(Edge.WALL).build();
+        StateRuns.replay(world(Edge.WALL), player, 100, WorldJointStatesTest::play, world -> world.joints()
+                .clear());
     }
 
     /** Joints break in the middle of a call. */
     @Test
     void manyStepsInOneCallAreThoseOfManyCalls() {
-        try (World many = world(Edge.WALL);
-                World one = world(Edge.WALL)) {
-            many.step(STEP, 90);
-            for (int k = 0; k < 90; k++) {
-                one.step(STEP);
-            }
-            assertThat(many.joints().size()).isEqualTo(one.joints().size());
-            assertThat(snapshot(many)).isEqualTo(snapshot(one));
-        }
+        StateRuns.manySteps(() -> world(Edge.WALL), 90);
     }
 
     @Test
@@ -300,9 +259,5 @@ class WorldJointStatesTest {
             other.step(STEP, 20);
             assertThat(snapshot(world)).isEqualTo(snapshot(other));
         }
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        return RecordedCallsTest.snapshot(world);
     }
 }

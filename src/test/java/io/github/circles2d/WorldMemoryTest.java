@@ -2,8 +2,10 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.fuzz.MemoryLimits;
 import io.github.circles2d.opencl.TestScale;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -16,26 +18,28 @@ class WorldMemoryTest {
 
     private static Class<?> load() {
         try {
-            return new AllocationLimitLoader().loadClass(MemoryEndsAnywhere.class.getName());
+            return new AllocationLimitLoader().loadClass(MemoryLimits.class.getName());
         } catch (ClassNotFoundException e) {
             throw new AssertionError(e);
         }
     }
 
-    private static void check(String method, int first, int second) throws ReflectiveOperationException {
-        Object wrong = PROGRAM.getMethod(method, int.class, int.class).invoke(null, first, second);
-        assertThat((List<?>) wrong).isEmpty();
+    private static void check(String method, int... arguments) throws ReflectiveOperationException {
+        Class<?>[] types = IntStream.of(arguments).mapToObj(each -> int.class).toArray(Class<?>[]::new);
+        Object[] boxed = IntStream.of(arguments).boxed().toArray();
+        assertThat((List<?>) PROGRAM.getMethod(method, types).invoke(null, boxed))
+                .isEmpty();
     }
 
     @Test
     void aCallThatMemoryEndsInHasChangedNothingAndMayBeMadeAgain() throws ReflectiveOperationException {
-        check("each", 1, TestScale.of(40, 12, 1));
+        check("each", 1, TestScale.of(2, 6, 20), TestScale.of(9, 3, 1));
     }
 
     @Test
     @Tag("long")
     void soItIsWithTwoThreads() throws ReflectiveOperationException {
-        check("each", 2, TestScale.of(20, 2));
+        check("each", 2, TestScale.of(6, 20), TestScale.of(3, 1));
     }
 
     @Test

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.TestScale;
@@ -238,9 +239,7 @@ class WorldRestingTest {
         }
 
         private ByteBuffer snapshot(World world) {
-            ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-            world.snapshot(bytes);
-            bytes.flip();
+            ByteBuffer bytes = snapshot(world);
             return bytes;
         }
 

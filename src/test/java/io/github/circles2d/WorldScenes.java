@@ -5,6 +5,7 @@ import io.github.circles2d.scenes.Quality;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.SceneLoader;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import java.nio.ByteBuffer;
 
 /** Worlds made of scenes, for tests. */
 public final class WorldScenes {
@@ -54,6 +55,13 @@ public final class WorldScenes {
     /** A world like that, without profiling. */
     static World onThreads(int threads, World.Builder builder) {
         return onThreads(threads, false, builder);
+    }
+
+    /** A world's state, to be restored. */
+    public static ByteBuffer snapshot(World world) {
+        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+        world.snapshot(bytes);
+        return bytes.flip();
     }
 
     /** The measures of quality of a world. Static circles at rest count as circles without energy. */

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -300,9 +301,7 @@ class WorldSleepTest {
     }
 
     private static void goOnAlike(World from, World taker) {
-        ByteBuffer snapshot = ByteBuffer.allocate(from.snapshotBytes());
-        from.snapshot(snapshot);
-        snapshot.flip();
+        ByteBuffer snapshot = snapshot(from);
         taker.restore(snapshot);
         for (World world : new World[] {from, taker}) {
             world.teleport(world.handle(0), 5, 10);

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.TestScale;
@@ -305,9 +306,7 @@ class WorldStaticSensorTest {
         lift.addChain(Chain.of(-3, 0, 3, 0), LIFT, null);
         world.step(DT, 2);
         assertThat(events()).isNotEmpty();
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        bytes.flip();
+        ByteBuffer bytes = snapshot(world);
         try (World restored = WorldScenes.jvm().build()) {
             restored.report(Events.BEGIN | Events.END);
             restored.restore(bytes);

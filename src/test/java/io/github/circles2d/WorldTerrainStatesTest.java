@@ -1,9 +1,8 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Random;
@@ -145,59 +144,20 @@ class WorldTerrainStatesTest {
 
     @Test
     void rollingBackTenFramesInEachFrameGivesTheBitsOfRunningStraight() {
-        try (World straight = world(Edge.OPEN);
-                World rolling = world(Edge.OPEN)) {
-            Rewind rewind = new Rewind(rolling, 11);
-            for (int frame = 0; frame < 90; frame++) {
-                rewind.save(frame);
-                play(rolling, frame, frame - 1);
-                rolling.step(STEP);
-                int from = Math.max(0, frame - 9);
-                rewind.restore(from);
-                for (int k = from; k <= frame; k++) {
-                    rewind.save(k);
-                    play(rolling, k, frame);
-                    rolling.step(STEP);
-                }
-                play(straight, frame, frame);
-                straight.step(STEP);
-                assertThat(rolling.hash()).as("frame %d", frame).isEqualTo(straight.hash());
-            }
-            assertThat(snapshot(rolling)).isEqualTo(snapshot(straight));
-        }
+        StateRuns.rollBack(() -> world(Edge.OPEN), 90, WorldTerrainStatesTest::play);
     }
 
     @Test
     void aLogOfTerrainIsMadeAgain() throws IOException {
-        ByteArrayOutputStream log = new ByteArrayOutputStream();
-        try (World world = world(Edge.WALL);
-                World player = builder(Edge.WALL).build()) {
-            try (Recording recording = new Recording(world, log, 1)) {
-                for (int frame = 0; frame < 150; frame++) {
-                    play(world, frame, frame);
-                    world.step(STEP, 1 + frame % 2);
-                }
-                world.terrain().clear();
-                world.step(STEP, 3);
-                assertThat(recording.hasFailed()).isFalse();
-            }
-            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player);
-            assertThat(replay.run().differs()).as(replay.difference()).isFalse();
-            assertThat(snapshot(player)).isEqualTo(snapshot(world));
-        }
+        World player = builder(Edge.WALL).build();
+        StateRuns.replay(world(Edge.WALL), player, 150, WorldTerrainStatesTest::play, world -> world.terrain()
+                .clear());
     }
 
     /** Bodies move in each step of a call. */
     @Test
     void manyStepsInOneCallAreThoseOfManyCalls() {
-        try (World many = world(Edge.WALL);
-                World one = world(Edge.WALL)) {
-            many.step(STEP, 50);
-            for (int k = 0; k < 50; k++) {
-                one.step(STEP);
-            }
-            assertThat(snapshot(many)).isEqualTo(snapshot(one));
-        }
+        StateRuns.manySteps(() -> world(Edge.WALL), 50);
     }
 
     @Test
@@ -216,9 +176,5 @@ class WorldTerrainStatesTest {
                 assertThat(world.y(world.handle(id))).isLessThan(12);
             }
         }
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        return RecordedCallsTest.snapshot(world);
     }
 }

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -210,7 +211,7 @@ class WorldTurningTest {
             gripping.setWallSurface(Wall.MIN_Y, 7, 8, 1e9f);
             assertWall(gripping, Wall.MIN_Y, 7, 8, 1e9f);
             assertWall(gripping, Wall.MAX_X, 0.5f, 0.25f, 0);
-            world.restore(RecordedCallsTest.snapshot(gripping));
+            world.restore(snapshot(gripping));
             assertWall(world, Wall.MIN_Y, 7, 8, 1e9f);
             assertWall(world, Wall.MAX_Y, 0, 0.5f, -2);
             assertThat(world.defaultFriction()).isEqualTo(0.5f);
@@ -457,7 +458,7 @@ class WorldTurningTest {
     private static ByteBuffer snapshotOf(Consumer<World> calls) {
         try (World made = WorldScenes.jvm().bounds(0, 0, 100, 100).build()) {
             calls.accept(made);
-            return RecordedCallsTest.snapshot(made);
+            return snapshot(made);
         }
     }
 
@@ -467,7 +468,7 @@ class WorldTurningTest {
         long ball = ball();
         long hash = world.hash();
         int bytes = world.snapshotBytes();
-        ByteBuffer start = RecordedCallsTest.snapshot(world);
+        ByteBuffer start = snapshot(world);
         for (Runnable change : new Runnable[] {
             () -> world.setAngle(ball, 1),
             () -> world.setAngularVelocity(ball, 1),
@@ -487,13 +488,13 @@ class WorldTurningTest {
             change.run();
             assertThat(world.hash()).isNotEqualTo(hash);
             assertThat(world.snapshotBytes()).isGreaterThan(bytes);
-            ByteBuffer changed = RecordedCallsTest.snapshot(world);
+            ByteBuffer changed = snapshot(world);
             long changedHash = world.hash();
             world.restore(start.duplicate());
             assertThat(world.hash()).isEqualTo(hash);
             world.restore(changed.duplicate());
             assertThat(world.hash()).isEqualTo(changedHash);
-            assertThat(RecordedCallsTest.snapshot(world)).isEqualTo(changed);
+            assertThat(snapshot(world)).isEqualTo(changed);
             world.restore(start.duplicate());
         }
     }
@@ -545,7 +546,7 @@ class WorldTurningTest {
             for (int step = 0; step < steps + ahead; step++) {
                 hashes[step] = first.hash();
                 if (step < steps) {
-                    snapshots[step] = RecordedCallsTest.snapshot(first);
+                    snapshots[step] = snapshot(first);
                 }
                 change(first, step);
                 first.step(STEP);
@@ -560,7 +561,7 @@ class WorldTurningTest {
         for (int step = 0; step < steps; step++) {
             try (World restored = WorldScenes.onThreads(1 + step % 3, WorldScenes.jvm())) {
                 restored.restore(snapshots[step].duplicate());
-                assertThat(RecordedCallsTest.snapshot(restored)).isEqualTo(snapshots[step]);
+                assertThat(snapshot(restored)).isEqualTo(snapshots[step]);
                 for (int k = step; k < step + ahead; k++) {
                     assertThat(restored.hash())
                             .as("%d, restored at %d", k, step)
@@ -582,7 +583,7 @@ class WorldTurningTest {
                         WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
             straight.step(STEP, 30);
             turned.step(STEP, 30);
-            turned.restore(RecordedCallsTest.snapshot(straight));
+            turned.restore(snapshot(straight));
             for (int step = 0; step < 30; step++) {
                 straight.step(STEP);
                 turned.step(STEP);
@@ -625,9 +626,9 @@ class WorldTurningTest {
             }
             target.add(0.5f, 0.5f, 0.1f, 1);
             target.step(STEP);
-            target.restore(RecordedCallsTest.snapshot(gripping));
+            target.restore(snapshot(gripping));
             assertThat(target.hash()).isEqualTo(gripping.hash());
-            assertThat(RecordedCallsTest.snapshot(target)).isEqualTo(RecordedCallsTest.snapshot(gripping));
+            assertThat(snapshot(target)).isEqualTo(snapshot(gripping));
         }
     }
 
@@ -642,7 +643,7 @@ class WorldTurningTest {
                 ready.step(STEP);
                 assertThat(ready.hash()).isEqualTo(never.hash());
                 if (step % 20 == 0) {
-                    assertThat(RecordedCallsTest.snapshot(ready)).isEqualTo(RecordedCallsTest.snapshot(never));
+                    assertThat(snapshot(ready)).isEqualTo(snapshot(never));
                 }
             }
         }

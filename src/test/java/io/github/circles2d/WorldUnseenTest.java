@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.reference.Event;
@@ -110,10 +111,6 @@ class WorldUnseenTest {
                 .build();
         scene.build(world);
         return world;
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        return RecordedCallsTest.snapshot(world);
     }
 
     private static void assertSame(World world, World jvm, String what) {

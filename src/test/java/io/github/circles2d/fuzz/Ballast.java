@@ -1,7 +1,11 @@
 package io.github.circles2d.fuzz;
 
+import java.util.Random;
+
 /** Fills the heap but for some bytes. It works in a JVM that has one small heap for little else. */
-final class Ballast {
+final class Ballast implements MemoryEnd {
+    private static final int MOST_SPARE = 18;
+
     private static final int LARGEST = 1 << 20;
     private static final int LEAST = 256;
 
@@ -12,6 +16,14 @@ final class Ballast {
     private final byte[][] pieces = new byte[1 << 16][];
 
     private int count;
+
+    /** Once for a call, of three at one. */
+    @Override
+    public void begin(Random random, int attempt) {
+        if (attempt == 0 && random.nextInt(3) == 0) {
+            fill(1 << random.nextInt(MOST_SPARE));
+        }
+    }
 
     /** Fills the heap. As much as the spare bytes stays free, and what the collector does not find at once. */
     void fill(int spare) {
@@ -37,8 +49,8 @@ final class Ballast {
         }
     }
 
-    /** Gives all of it back. */
-    void release() {
+    @Override
+    public void end() {
         for (int k = 0; k < count; k++) {
             pieces[k] = null;
         }

@@ -10,6 +10,9 @@ final class Counts {
     /** Calls that have met an OutOfMemoryError. */
     long ended;
 
+    /** Those of them that have lost the state, or ended a frame, and so were not made again. */
+    long stopped;
+
     @Override
     public String toString() {
         return programs + " programs, " + calls + " calls, " + refused + " lines refused, " + steps

@@ -53,7 +53,11 @@ public final class FuzzRun {
                 Arrays.stream(arguments).skip(4).map(Backend::valueOf).toArray(Backend[]::new);
         FuzzRun run = new FuzzRun(devices, ready, ballast);
         if (ballast != null) {
-            MemorySession.warmUp(run.api, ballast, run.counts, WARM_UP);
+            for (long each = 1; each <= WARM_UP; each++) {
+                run.memoryFailure(new Program(-each), new Program(-each).all(), MemorySession.NEVER);
+            }
+            ballast.fill(0);
+            ballast.end();
         }
         if (arguments[3].equals("all")) {
             run.many(seed, Integer.parseInt(arguments[1]));
@@ -114,7 +118,7 @@ public final class FuzzRun {
     private Mismatch failure(long seed, BitSet lines) {
         Program program = new Program(seed);
         if (ballast != null) {
-            return memoryFailure(program, lines);
+            return memoryFailure(program, lines, ballast);
         }
         try (Session session = new Session(api, program, THREADS, devices, ready, counts)) {
             return session.failure(lines);
@@ -123,9 +127,9 @@ public final class FuzzRun {
         }
     }
 
-    private Mismatch memoryFailure(Program program, BitSet lines) {
+    private Mismatch memoryFailure(Program program, BitSet lines, MemoryEnd memory) {
         int threads = program.seed % 3 == 0 ? 2 : 1;
-        try (MemorySession session = new MemorySession(api, program, ballast, threads, counts)) {
+        try (MemorySession session = new MemorySession(api, program, memory, threads, counts)) {
             return session.failure(lines);
         } catch (Throwable e) {
             return new Mismatch("an exception before or behind the calls", e).at(program.lines.size());

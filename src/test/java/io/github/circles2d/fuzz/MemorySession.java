@@ -1,32 +1,45 @@
 package io.github.circles2d.fuzz;
 
 import io.github.circles2d.Backend;
-import io.github.circles2d.FixedStep;
+import io.github.circles2d.Recording;
+import io.github.circles2d.Replay;
 import io.github.circles2d.Rollback;
+import io.github.circles2d.World;
+import io.github.circles2d.WorldScenes;
+import java.io.ByteArrayInputStream;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.ByteBuffer;
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import java.util.Random;
+import java.util.stream.Collectors;
 
 /**
- * Runs a program in a world whose heap is nearly full at most calls, beside a twin that has memory. A call that ends in an OutOfMemoryError has
- * changed nothing, or the world says that its state is lost; only what steps may lose it.
+ * Runs a program in a world in which memory ends in calls, beside a twin that has memory. A call that ends in an OutOfMemoryError has changed
+ * nothing and may be made again, or the world says that its state is lost; only what steps may lose it.
  */
 final class MemorySession implements AutoCloseable {
-    private static final int MOST_SPARE = 18;
+    static final MemoryEnd NEVER = new MemoryEnd() {
+        @Override
+        public void begin(Random random, int attempt) {}
+
+        @Override
+        public void end() {}
+    };
 
     private final Program program;
     private final Random random;
     private final Reading reading;
-    private final Ballast ballast;
+    private final MemoryEnd memory;
     private final Counts counts;
     private final Player tested;
     private final Player twin;
     private int at;
 
-    MemorySession(Api api, Program program, Ballast ballast, int threads, Counts counts) throws Throwable {
+    MemorySession(Api api, Program program, MemoryEnd memory, int threads, Counts counts) throws Throwable {
         this.program = program;
-        this.ballast = ballast;
+        this.memory = memory;
         this.counts = counts;
         random = Program.random(program.seed, 99);
         reading = new Reading(api);
@@ -46,6 +59,9 @@ final class MemorySession implements AutoCloseable {
             boolean goesOn = true;
             for (at = kept.nextSetBit(0); at >= 0 && goesOn; at = kept.nextSetBit(at + 1)) {
                 goesOn = run(program.lines.get(at));
+            }
+            if (goesOn) {
+                end();
             }
             return null;
         } catch (Mismatch mismatch) {
@@ -68,48 +84,76 @@ final class MemorySession implements AutoCloseable {
     /** Makes a call in both worlds; returns whether the program can go on. */
     private boolean run(Line line) throws Throwable {
         Class<?> type = line.method().getDeclaringClass();
-        boolean isAny = type != io.github.circles2d.Recording.class || twin.recording != null;
-        if (!isAny) {
-            return true;
+        if (type == Recording.class) {
+            return true; // a log ends early with a step that lacked memory
         }
         Object receiver = line.receiver() == null ? null : line.receiver().find(twin);
         Object[] arguments = Values.find(line.arguments(), twin);
-        ByteBuffer before = random.nextBoolean() ? tested.snapshot() : null;
-        boolean isShort = random.nextInt(3) == 0;
-        Answer answer = answer(line, tested, receiver, arguments, isShort ? 1 << random.nextInt(MOST_SPARE) : -1);
-        counts.calls++;
-        if (!answer.lacksMemory()) {
-            Answer expected = answer(line, twin, receiver, arguments, -1);
-            compare(line, expected.text, answer.text);
-            return true;
-        }
-        counts.ended++;
-        boolean steps = Session.isStep(line.method());
-        if (isLost()) {
-            if (!steps) {
-                throw new Mismatch("a call that lacked memory has lost the state", line + " " + answer.thrown);
+        int snapshots = tested.snapshots.size();
+        Answer answer = null;
+        for (int attempt = 0; answer == null || answer.lacksMemory(); attempt++) {
+            answer = answer(line, tested, receiver, arguments, at < program.built ? NEVER : memory, attempt);
+            counts.calls++;
+            if (answer.lacksMemory()) {
+                counts.ended++;
+                tested.snapshots.subList(snapshots, tested.snapshots.size()).clear();
+                if (isLost()) {
+                    if (!isStep(line)) {
+                        throw new Mismatch("a call that lacked memory has lost the state", at(line, answer.thrown));
+                    }
+                    counts.stopped++;
+                    return false;
+                }
+                if (isStep(line) && type != World.class) { // a frame ends early
+                    counts.stopped++;
+                    return type != Rollback.class && takeOver(line);
+                }
+                if (isStep(line) && !isOneStep(line)) {
+                    takeOver(line);
+                } else if (random.nextBoolean()) { // else changes still wait when the call is made again
+                    requireUnchanged(line, answer.thrown);
+                }
             }
-            return false;
         }
-        if (type == FixedStep.class || type == Rollback.class) {
-            return false; // some steps may have been made
-        }
-        if (line.method().getName().equals("step")) {
-            return takeOver();
-        }
-        if (before != null && !before.equals(tested.snapshot())) {
-            throw new Mismatch("a call that lacked memory has changed something", line + " " + answer.thrown);
-        }
-        compare(line, Long.toString(twin.world.hash()), Long.toString(tested.world.hash()));
+        compare(line, answer(line, twin, receiver, arguments, NEVER, 0).text, answer.text);
         return true;
     }
 
-    /** Some of the steps of a call may have been made. The twin goes on from there. */
-    private boolean takeOver() {
+    /** Whether a call makes steps, which may lose the state. */
+    static boolean isStep(Line line) {
+        return Session.isStep(line.method()) && !line.method().getName().equals("restore");
+    }
+
+    private static boolean isOneStep(Line line) {
+        return line.method().getName().equals("step") && line.arguments().length == 1;
+    }
+
+    /** The call, and where in the library memory ended. */
+    private static String at(Line line, Throwable thrown) {
+        return Arrays.stream(thrown.getStackTrace())
+                .filter(place -> place.getClassName().startsWith(World.class.getPackageName()))
+                .skip(1) // who lets it end
+                .limit(5)
+                .map(StackTraceElement::toString)
+                .collect(Collectors.joining(" < ", line + " at ", ""));
+    }
+
+    private void requireUnchanged(Line line, Throwable thrown) {
+        if (!Session.state(tested).equals(Session.state(twin))) {
+            throw new Mismatch("a call that lacked memory has changed something", at(line, thrown));
+        }
+    }
+
+    /** Some of the steps of a call may have been made. Both go on from there. */
+    private boolean takeOver(Line line) {
         ByteBuffer now = tested.snapshot();
-        tested.world.restore(now.duplicate());
-        twin.world.restore(now);
-        return twin.world.hash() == tested.world.hash();
+        for (Player player : new Player[] {tested, twin}) {
+            player.world.restore(now.duplicate());
+            player.fixedStep.reset();
+            player.world.requestPositions();
+        }
+        compare(line, Long.toString(twin.world.hash()), Long.toString(tested.world.hash()));
+        return true;
     }
 
     private boolean isLost() {
@@ -129,8 +173,9 @@ final class MemorySession implements AutoCloseable {
         }
     }
 
-    /** Makes a call while the heap is full but for some bytes; -1: while it is not. */
-    private Answer answer(Line line, Player player, Object receiver, Object[] found, int spare) throws Throwable {
+    /** Makes a call in which memory may end. */
+    private Answer answer(Line line, Player player, Object receiver, Object[] found, MemoryEnd ends, int attempt)
+            throws Throwable {
         Answer answer = new Answer();
         Object of = null;
         Object[] arguments = null;
@@ -138,16 +183,14 @@ final class MemorySession implements AutoCloseable {
         try {
             of = line.receiver() == null ? null : line.receiver().on(player, receiver);
             arguments = Values.on(line.arguments(), player, found);
-            if (spare >= 0) {
-                ballast.fill(spare);
-            }
+            ends.begin(random, attempt);
             result = line.method().invoke(of, arguments); // nothing else, which would take memory, too
         } catch (InvocationTargetException e) {
             answer.thrown = e.getCause();
         } catch (OutOfMemoryError | IllegalArgumentException | IllegalStateException e) {
             answer.thrown = e;
         } finally {
-            ballast.release();
+            ends.end();
         }
         if (answer.thrown == null) {
             player.keep(result);
@@ -170,19 +213,40 @@ final class MemorySession implements AutoCloseable {
         return name.equals("bytes") || name.equals("stats");
     }
 
-    /** The classes that a program loads only once; memory that ends there would end them for good. */
-    static void warmUp(Api api, Ballast ballast, Counts counts, int programs) throws Throwable {
-        for (long seed = 0; seed < programs; seed++) {
-            Program program = new Program(-1 - seed);
-            try (Session session =
-                    new Session(api, program, new int[] {1, 2}, new Backend[0], Ready.AS_NEEDED, counts)) {
-                Mismatch mismatch = session.failure(program.all());
-                if (mismatch != null) {
-                    throw mismatch;
+    /** Worlds go on alike, and so do their logs, unless one ended early with a step or a hash that lacked memory. */
+    private void end() throws Throwable {
+        if (!Session.state(tested).equals(Session.state(twin)) || !next(tested).equals(next(twin))) {
+            throw new Mismatch(
+                    "a world goes on otherwise behind calls that lacked memory", program.text(program.all()));
+        }
+        if (tested.recording != null && !tested.recording.hasFailed()) {
+            for (Player player : new Player[] {tested, twin}) {
+                player.recording.close();
+                try (World world = WorldScenes.jvm().threads(1).build()) {
+                    Replay replay = new Replay(new ByteArrayInputStream(player.log.toByteArray()), world).run();
+                    if (replay.differs()) {
+                        throw new Mismatch("a replay differs", replay.difference());
+                    }
                 }
             }
         }
-        ballast.fill(0);
-        ballast.release();
+    }
+
+    /** What is seen after some more steps. */
+    private List<Object> next(Player player) throws Throwable {
+        World world = player.world;
+        world.step(1 / 60f, 2);
+        player.fixedStep.advance(1 / 60f, null);
+        float[] loads = new float[2 * world.idLimit()];
+        world.readLoadsById(loads, null);
+        return List.of(
+                Session.state(player),
+                reading.of(world.events()),
+                reading.of(world.joints().events()),
+                reading.of(world.bodies().events()),
+                reading.of(Session.forces(player)),
+                reading.of(loads),
+                reading.of(player.fixedStep.positions(null)),
+                player.rewind.size());
     }
 }

@@ -14,11 +14,26 @@ final class Program {
     /** Calls that build up the world, before any of all. */
     private static final int FIRST = 14;
 
+    /** Changes that wait for the next step, in a world in which each call is made. */
+    private static final int CHANGES = 3;
+
     final long seed;
     final Setting setting;
     final List<Line> lines = new ArrayList<>();
 
+    /** The number of lines that build up the world. */
+    final int built;
+
     Program(long seed) {
+        this(seed, false);
+    }
+
+    /** A program that, once its world is built up, makes each call of the tables instead of any. */
+    static Program ofEachCall(long seed) {
+        return new Program(seed, true);
+    }
+
+    private Program(long seed, boolean each) {
         this.seed = seed;
         setting = new Setting(random(seed, 0));
         Draw draw = draw(1);
@@ -29,6 +44,21 @@ final class Program {
         int first = draw.below(FIRST);
         for (int k = 0; k < first; k++) {
             lines.add(building(draw(2 + k)));
+        }
+        if (each) {
+            lines.add(Table.draw(draw(100), World.class, "step", 2));
+            for (String request : new String[] {"requestPositions", "requestEvents"}) {
+                lines.add(Table.draw(draw(101), World.class, request, 0));
+            }
+            lines.add(Table.draw(draw(102), World.class, "step", 1));
+            for (int k = 0; k < CHANGES; k++) {
+                lines.add(building(draw(103 + k)));
+            }
+        }
+        built = lines.size();
+        if (each) {
+            Table.ALL.stream().filter(setting::mayHave).forEach(entry -> lines.add(entry.draw(draw(lines.size()))));
+            return;
         }
         int count = FEWEST + draw.below(MOST - FEWEST);
         for (int k = 0; k < count; k++) {

@@ -1,5 +1,7 @@
 package io.github.circles2d.fuzz;
 
+import static io.github.circles2d.WorldScenes.snapshot;
+
 import io.github.circles2d.Joint;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
@@ -33,10 +35,4 @@ interface Ready {
 
     /** Makes a world ready. */
     void make(World world);
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
-    }
 }

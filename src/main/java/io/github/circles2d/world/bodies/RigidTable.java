@@ -308,9 +308,8 @@ public final class RigidTable {
         }
     }
 
-    /** Whether a body would be somewhere else within bounds. */
-    public boolean moveIn(Bounds bounds) {
-        Bounds walls = bounds.walls();
+    /** Whether a body would be somewhere else within bounds, whose walls are given. */
+    public boolean moveIn(Bounds bounds, Bounds walls) {
         boolean move = false;
         for (int body = 0; body < ids.end(); body++) {
             move |= ids.lives(body)
@@ -321,10 +320,9 @@ public final class RigidTable {
         return move;
     }
 
-    /** Brings bodies inside new bounds. */
-    public void confine(Bounds bounds) {
+    /** Brings bodies inside new bounds, whose walls are given. */
+    public void confine(Bounds bounds, Bounds walls) {
         version++;
-        Bounds walls = bounds.walls();
         for (int body = 0; body < ids.end(); body++) {
             if (ids.lives(body)) {
                 float x = bounds.placeX(CircleMath.clamp(step.x[body], walls.minX(), walls.maxX()));

@@ -68,21 +68,22 @@ public final class Surroundings implements Calls.Effects {
         world.copies.forget();
         float greatest = hasCircles ? world.handles.greatestRadius() : 0f;
         Bounds start = WallMotion.start(world.settings.wallStart(), next, greatest);
-        world.calls.begin(Call.BOUNDS, w);
+        Bounds startWalls = start.walls();
+        Bounds nextWalls = next.walls();
+        float far = pushesStatics ? Sleep.NEIGHBOURS * greatestStaticRadius() : 0f;
+        Bounds calm = pushesStatics ? WallMotion.calm(world.settings.bounds(), next, far) : Bounds.EVERYWHERE;
+        world.calls.begin(Call.BOUNDS, w); // what follows takes no memory
         if (world.settings.sleeps()
-                && (WallMotion.jumps(world.settings.wallStart(), start) || world.rigids.moveIn(next))) {
+                && (WallMotion.jumps(world.settings.wallStart(), start) || world.rigids.moveIn(next, nextWalls))) {
             world.commands.wakeAll();
         }
-        Bounds calm = Bounds.EVERYWHERE;
         if (pushesStatics) {
             wakeHeldByStatics();
-            float far = Sleep.NEIGHBOURS * greatestStaticRadius();
-            calm = WallMotion.calm(world.settings.bounds(), next, far);
             world.rigids.step.wakeOutside(calm);
         }
-        world.pipeline.confine(start.walls(), next.walls(), calm);
-        nextStep.confine(next.walls());
-        world.rigids.confine(next);
+        world.pipeline.confine(startWalls, nextWalls, calm);
+        nextStep.confine(nextWalls);
+        world.rigids.confine(next, nextWalls);
         world.settings.setBounds(start, next);
     }
 

@@ -14,9 +14,6 @@ import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Method;
-import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -75,28 +72,7 @@ final class JointTwins {
     /** The same pipelines, in steps with these joints. */
     Pipeline[] on(Pipeline... all) {
         pipelines = all;
-        Pipeline[] with = new Pipeline[pipelines.length];
-        for (int k = 0; k < pipelines.length; k++) {
-            Pipeline pipeline = pipelines[k];
-            with[k] = (Pipeline) Proxy.newProxyInstance(
-                    Pipeline.class.getClassLoader(),
-                    new Class<?>[] {Pipeline.class},
-                    (proxy, method, arguments) -> call(pipeline, method, arguments));
-        }
-        return with;
-    }
-
-    private Object call(Pipeline pipeline, Method method, Object[] arguments) throws Throwable {
-        if (method.getName().equals("step")) {
-            prepare((StepInput) arguments[0]);
-        } else if (method.getName().equals("prepare")) {
-            arguments[1] = ((Features) arguments[1]).and(Features.JOINTS);
-        }
-        try {
-            return method.invoke(pipeline, arguments);
-        } catch (InvocationTargetException e) {
-            throw e.getCause();
-        }
+        return Pipelines.with(Features.JOINTS, this::prepare, all);
     }
 
     private void prepare(StepInput input) {

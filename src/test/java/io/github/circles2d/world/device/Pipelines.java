@@ -10,9 +10,15 @@ import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
+import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.shared.Pipeline;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 
 /** Empty pipelines on devices, by plans that need not be those that the device would follow. */
 final class Pipelines {
@@ -107,5 +113,30 @@ final class Pipelines {
     static DevicePipeline of(Device device, List<Plan> plans, boolean profiling, Features features) {
         Features first = TestScale.EXHAUSTIVE ? Features.NONE : features;
         return new DevicePipeline(device, 0, profiling, plans, StageKernels.USUAL_GROUPS, true, first);
+    }
+
+    /** The same pipelines with a feature, whose steps are prepared further. */
+    static Pipeline[] with(Features feature, Consumer<StepInput> prepare, Pipeline... pipelines) {
+        return Arrays.stream(pipelines)
+                .map(pipeline -> Proxy.newProxyInstance(
+                        Pipeline.class.getClassLoader(),
+                        new Class<?>[] {Pipeline.class},
+                        (proxy, method, arguments) -> call(pipeline, method, arguments, feature, prepare)))
+                .toArray(Pipeline[]::new);
+    }
+
+    private static Object call(
+            Pipeline pipeline, Method method, Object[] arguments, Features feature, Consumer<StepInput> prepare)
+            throws Throwable {
+        if (method.getName().equals("step")) {
+            prepare.accept((StepInput) arguments[0]);
+        } else if (method.getName().equals("prepare")) {
+            arguments[1] = ((Features) arguments[1]).and(feature);
+        }
+        try {
+            return method.invoke(pipeline, arguments);
+        } catch (InvocationTargetException e) {
+            throw e.getCause();
+        }
     }
 }

@@ -14,9 +14,6 @@ import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.terrain.SavedPieceContacts;
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Method;
-import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -49,28 +46,7 @@ final class TerrainTwins {
     /** The same pipelines, in steps with these tables. */
     Pipeline[] on(Pipeline... all) {
         pipelines = all;
-        Pipeline[] with = new Pipeline[pipelines.length];
-        for (int k = 0; k < pipelines.length; k++) {
-            Pipeline pipeline = pipelines[k];
-            with[k] = (Pipeline) Proxy.newProxyInstance(
-                    Pipeline.class.getClassLoader(),
-                    new Class<?>[] {Pipeline.class},
-                    (proxy, method, arguments) -> call(pipeline, method, arguments));
-        }
-        return with;
-    }
-
-    private Object call(Pipeline pipeline, Method method, Object[] arguments) throws Throwable {
-        if (method.getName().equals("step")) {
-            prepare((StepInput) arguments[0]);
-        } else if (method.getName().equals("prepare")) {
-            arguments[1] = ((Features) arguments[1]).and(Features.TERRAIN);
-        }
-        try {
-            return method.invoke(pipeline, arguments);
-        } catch (InvocationTargetException e) {
-            throw e.getCause();
-        }
+        return Pipelines.with(Features.TERRAIN, this::prepare, all);
     }
 
     /** Compares the contacts of circles with pieces; returns their number. */

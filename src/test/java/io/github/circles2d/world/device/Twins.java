@@ -37,6 +37,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
@@ -71,6 +72,10 @@ final class Twins implements AutoCloseable {
         this.simulations = simulations;
         this.pipelines = pipelines;
         turns = Arrays.stream(pipelines).allMatch(pipeline -> pipeline instanceof JvmPipeline);
+    }
+
+    private void each(Consumer<Simulation> call) {
+        Arrays.stream(simulations).forEach(call);
     }
 
     /** Worlds without gravity and circles. */
@@ -141,16 +146,12 @@ final class Twins implements AutoCloseable {
     }
 
     void setGravity(float x, float y) {
-        for (Simulation simulation : simulations) {
-            simulation.calls.makeOfFloats(Call.GRAVITY, x, y, 0, 0);
-        }
+        each(simulation -> simulation.calls.makeOfFloats(Call.GRAVITY, x, y, 0, 0));
     }
 
     /** Sets a field of a kind. */
     void setKind(KindField field, int kind, int value) {
-        for (Simulation simulation : simulations) {
-            simulation.kinds.set(field, kind, value);
-        }
+        each(simulation -> simulation.kinds.set(field, kind, value));
     }
 
     /** Gives circles kinds from 0 on, by turns. */
@@ -164,9 +165,7 @@ final class Twins implements AutoCloseable {
 
     /** Gives a wall a friction. */
     void setWall(int wall, float friction) {
-        for (Simulation simulation : simulations) {
-            setWall(simulation, wall, friction, 0, 0);
-        }
+        each(simulation -> setWall(simulation, wall, friction, 0, 0));
     }
 
     static void setWall(Simulation simulation, int wall, float friction, float rolling, float belt) {
@@ -179,9 +178,7 @@ final class Twins implements AutoCloseable {
     }
 
     void wakeAll() {
-        for (Simulation simulation : simulations) {
-            simulation.calls.make(Call.WAKE_ALL);
-        }
+        each(simulation -> simulation.calls.make(Call.WAKE_ALL));
     }
 
     /** Compares who sleeps; returns how many do. */
@@ -227,9 +224,8 @@ final class Twins implements AutoCloseable {
 
     /** Holds two circles at the distance that they have. */
     void addRod(int id, int other) {
-        for (Simulation simulation : simulations) {
-            simulation.joints.add(handles[id], handles[other], new JointForm(JointRow.AXIAL | JointRow.RIGID));
-        }
+        each(simulation ->
+                simulation.joints.add(handles[id], handles[other], new JointForm(JointRow.AXIAL | JointRow.RIGID)));
     }
 
     /** Makes random calls on joints. */
@@ -241,9 +237,7 @@ final class Twins implements AutoCloseable {
     }
 
     void moveBody(long body, float vx, float vy) {
-        for (Simulation simulation : simulations) {
-            simulation.calls.changeByFloats(Call.BODY_VELOCITY, body, vx, vy, 0, 0);
-        }
+        each(simulation -> simulation.calls.changeByFloats(Call.BODY_VELOCITY, body, vx, vy, 0, 0));
     }
 
     /** Number of circles. */
@@ -252,9 +246,7 @@ final class Twins implements AutoCloseable {
     }
 
     void step(float dt, int steps) {
-        for (Simulation simulation : simulations) {
-            simulation.step(dt, steps);
-        }
+        each(simulation -> simulation.step(dt, steps));
     }
 
     void assertEqual(String when) {
@@ -268,22 +260,16 @@ final class Twins implements AutoCloseable {
 
     /** Has events reported. */
     void report(int types) {
-        for (Simulation simulation : simulations) {
-            simulation.reports.report(types);
-        }
+        each(simulation -> simulation.reports.report(types));
     }
 
     void setHitSpeed(float speed) {
-        for (Simulation simulation : simulations) {
-            simulation.reports.setHitSpeed(speed);
-        }
+        each(simulation -> simulation.reports.setHitSpeed(speed));
     }
 
     /** Has events of two kinds reported. */
     void report(int kindA, int kindB, int types) {
-        for (Simulation simulation : simulations) {
-            simulation.reports.report(kindA, kindB, types);
-        }
+        each(simulation -> simulation.reports.report(kindA, kindB, types));
     }
 
     /** Makes a kind a sensor, and every so many circles of that kind. */
@@ -300,9 +286,7 @@ final class Twins implements AutoCloseable {
 
     /** Lets circles of two kinds pass through each other, and sense that. */
     void sense(int kindA, int kindB) {
-        for (Simulation simulation : simulations) {
-            simulation.kinds.setSetting(kindA, kindB, KindTable.RESPONSE + PairTable.SENSE);
-        }
+        each(simulation -> simulation.kinds.setSetting(kindA, kindB, KindTable.RESPONSE + PairTable.SENSE));
     }
 
     /** Takes the events from every pipeline, and returns their number. */
@@ -312,9 +296,7 @@ final class Twins implements AutoCloseable {
 
     /** Asks every pipeline for the events up to now. */
     void requestEvents() {
-        for (Simulation simulation : simulations) {
-            simulation.reports.request();
-        }
+        each(simulation -> simulation.reports.request());
     }
 
     /** Takes the events that were asked for, and returns their number. */
@@ -448,9 +430,7 @@ final class Twins implements AutoCloseable {
         simulations[0].readings.readHandles(requestedHandles);
         // Of the first pipeline alone: the others are not to come to rest before they are asked.
         simulations[0].readings.read(requested);
-        for (Simulation simulation : simulations) {
-            simulation.readings.requestPositions();
-        }
+        each(simulation -> simulation.readings.requestPositions());
     }
 
     /** Takes the positions from every pipeline, by turns by id: those of the request. */
@@ -507,9 +487,7 @@ final class Twins implements AutoCloseable {
         float minY = now.minY() + between(random, -most, most);
         float maxX = now.maxX() + between(random, -most, most);
         float maxY = now.maxY() + between(random, -most, most);
-        for (Simulation simulation : simulations) {
-            simulation.calls.makeOfFloats(Call.BOUNDS, minX, minY, maxX, maxY);
-        }
+        each(simulation -> simulation.calls.makeOfFloats(Call.BOUNDS, minX, minY, maxX, maxY));
     }
 
     /** Saves every state, which is the same, and lets each go on from what another has saved. */
@@ -543,9 +521,7 @@ final class Twins implements AutoCloseable {
 
     /** Goes on from the state of others. */
     void takeOver(Twins others) {
-        for (Simulation simulation : simulations) {
-            simulation.snapshots.restore(snapshot(others.simulations[0]));
-        }
+        each(simulation -> simulation.snapshots.restore(snapshot(others.simulations[0])));
         handles = others.handles.clone();
         ids = others.ids;
     }
@@ -620,23 +596,17 @@ final class Twins implements AutoCloseable {
 
     /** Changes the circle that had an id last. */
     void set(int operation, int id, float a, float b) {
-        for (Simulation simulation : simulations) {
-            simulation.circles.set(operation, handles[id], a, b);
-        }
+        each(simulation -> simulation.circles.set(operation, handles[id], a, b));
     }
 
     /** Removes the circle that had an id last. */
     void remove(int id) {
-        for (Simulation simulation : simulations) {
-            simulation.circles.remove(handles[id]);
-        }
+        each(simulation -> simulation.circles.remove(handles[id]));
     }
 
     /** Puts the circle that had an id last somewhere else; a static one travels there. */
     void move(int id, float x, float y) {
-        for (Simulation simulation : simulations) {
-            simulation.circles.move(handles[id], x, y);
-        }
+        each(simulation -> simulation.circles.move(handles[id], x, y));
     }
 
     /** Makes some change of each kind. */
@@ -957,9 +927,8 @@ final class Twins implements AutoCloseable {
     /** Lets the circle that had an id last grow or shrink. */
     private void grow(int id, float radius, int steps) {
         if (lives(id)) {
-            for (Simulation simulation : simulations) {
-                simulation.calls.change(Call.GROW, handles[id], Float.floatToRawIntBits(radius), steps, 0);
-            }
+            each(simulation ->
+                    simulation.calls.change(Call.GROW, handles[id], Float.floatToRawIntBits(radius), steps, 0));
         }
     }
 
@@ -1099,8 +1068,6 @@ final class Twins implements AutoCloseable {
 
     @Override
     public void close() {
-        for (Simulation simulation : simulations) {
-            simulation.close();
-        }
+        each(simulation -> simulation.close());
     }
 }

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.Edge;
@@ -324,11 +325,5 @@ class JointSectionTest {
         ByteBuffer bytes = SnapshotCodec.encode(state, ByteBuffer.allocate(0).order(ByteOrder.LITTLE_ENDIAN));
         SnapshotCodec.addCheck(bytes);
         return bytes;
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
     }
 }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.snapshots;
 
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
@@ -55,12 +56,6 @@ class RigidSectionTest {
         bodies.setForce(bodies.handle(2), 0.125f, 0);
         bodies.setTorque(bodies.handle(3), -0.5f);
         bodies.setGroup(bodies.handle(0), -5);
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
     }
 
     @Test

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.ArcSide;
@@ -281,11 +282,5 @@ class TerrainSectionTest {
     private static ByteBuffer copy(ByteBuffer from) {
         ByteBuffer copy = ByteBuffer.allocate(from.limit()).order(ByteOrder.LITTLE_ENDIAN);
         return copy.put(0, from, 0, from.limit());
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
     }
 }

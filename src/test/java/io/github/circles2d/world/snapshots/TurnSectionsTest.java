@@ -1,6 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
 import static io.github.circles2d.Refusals.assertIllegalArgument;
+import static io.github.circles2d.WorldScenes.snapshot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.Wall;
@@ -133,11 +134,5 @@ class TurnSectionsTest {
             assertIllegalArgument(message, () -> world.restore(bytes));
             assertThat(world.hash()).isEqualTo(hash);
         }
-    }
-
-    private static ByteBuffer snapshot(World world) {
-        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-        world.snapshot(bytes);
-        return bytes.flip();
     }
 }
