@@ -183,7 +183,7 @@ public enum DeviceArray {
             "by piece contact: centre against x and y of the piece, in the frame of the start of the step; target speed of a bounce;"
                     + " gap as the sub-step begins if it is deep, else 0"),
     KIND_TERRAIN("float", "kindTerrain", Index.TABLE, "a row a kind, of KIND_TERRAIN_STRIDE floats"),
-    TERRAIN("int", "terrain", Index.TABLE, "see TerrainRoom: where arrays lie behind it, number of nodes"),
+    TERRAIN("int", "terrain", Index.TABLE, "see TerrainArray: where arrays lie behind it, number of nodes"),
 
     // From here on up to KIND_SLEEP: of worlds whose circles sleep, behind all others of their blocks.
     HOME_SLEEP("int4", "homeSleep", Index.HOME_SLOT, "rest, by the Java class Sleep; bits of the drift x, y; turned"),
