@@ -21,10 +21,9 @@ import io.github.circles2d.world.model.SurfaceSettings;
  * ignored, 3 for sensed; walls with where they start: min x, min y, max x, max y; edges, if not all are walls, with those of x and y
  * ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle that turns with its id, angle, angular velocity and the
  * impulses of its walls by {@link ContactRows}; an impulse whose contact has other rows with the lower id, the higher id and theirs, of rows behind
- * rolling only those that are not 0, with their places; a joint with its id,
- * form, colour, circles, body, reference angles, its saved values and its row of {@link JointState}; a rigid body with its id, kind, saved values and
- * the words of its outline; a contact of one with its key and its impulses. All floats enter as their
- * bits.
+ * rolling only those that are not 0, with their places; a joint with its id, form, colour, circles, body, reference angles, its saved values and
+ * its row of {@link JointState}; a rigid body with its id, kind, saved values and the words of its outline; a contact of one with its key and its
+ * impulses. All floats enter as their bits.
  */
 public final class StateHash {
     private static final long CIRCLE = 0x636972636C653264L;
