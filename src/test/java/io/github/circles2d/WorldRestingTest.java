@@ -238,11 +238,6 @@ class WorldRestingTest {
             assertThat(near(worlds[1], x, y)).as("query in %s", when).isEqualTo(near(worlds[0], x, y));
         }
 
-        private ByteBuffer snapshot(World world) {
-            ByteBuffer bytes = snapshot(world);
-            return bytes;
-        }
-
         private long[] near(World world, float x, float y) {
             long[] found = new long[64];
             int many = world.queries().overlapCircle(x, y, 0.1f * size, found);

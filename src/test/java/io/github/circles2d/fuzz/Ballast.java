@@ -50,10 +50,12 @@ final class Ballast implements MemoryEnd {
     }
 
     @Override
-    public void end() {
+    public boolean end() {
+        boolean isFull = count > 0;
         for (int k = 0; k < count; k++) {
             pieces[k] = null;
         }
         count = 0;
+        return isFull;
     }
 }

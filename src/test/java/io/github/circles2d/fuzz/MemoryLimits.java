@@ -83,8 +83,8 @@ public final class MemoryLimits {
         }
 
         @Override
-        public final void end() {
-            AllocationLimit.end();
+        public final boolean end() {
+            return AllocationLimit.end();
         }
     }
 

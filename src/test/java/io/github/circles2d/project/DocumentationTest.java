@@ -415,7 +415,7 @@ class DocumentationTest {
                         .filter(line -> line.matches("    @Tag\\(\"(long|exhaustive)\"\\)"))
                         .count();
                 long all = source.lines()
-                        .filter(line -> line.matches("    @(Test|ParameterizedTest)"))
+                        .filter(line -> line.matches("    @(Test|ParameterizedTest|OnEach\\w+)"))
                         .count();
                 assertThat(source.lines())
                         .as("%s has the tag on methods", file)

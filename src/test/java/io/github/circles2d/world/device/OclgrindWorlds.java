@@ -93,102 +93,77 @@ final class OclgrindWorlds {
     private Set<String> run(String world) {
         Set<String> kernels = new TreeSet<>();
         switch (world) {
-            case "COLOURS":
+            case "COLOURS" -> {
                 kernels.addAll(scan());
                 kernels.addAll(events(Plans.COLOURS, Scenes.mixed(small ? 20 : 40, 2)));
-                break;
-            case "levels in an arena that is not folded":
-                kernels.addAll(levels());
-                break;
-            case "a table of pairs that grows":
-                kernels.addAll(growingTable());
-                break;
-            case "changes":
-                kernels.addAll(changes(Scenes.mixed(small ? 20 : 40, 1)));
-                break;
-            case "TILES":
+            }
+            case "levels in an arena that is not folded" -> kernels.addAll(levels());
+            case "a table of pairs that grows" -> kernels.addAll(growingTable());
+            case "changes" -> kernels.addAll(changes(Scenes.mixed(small ? 20 : 40, 1)));
+            case "TILES" -> {
                 kernels.addAll(steps(Plans.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, 2));
                 kernels.addAll(events(Plans.TILES, Scenes.thesis(40, 1)));
                 kernels.addAll(listedTiles());
-                break;
-            case "PERSISTENT_GPU":
+            }
+            case "PERSISTENT_GPU" -> {
                 kernels.addAll(persistent(Plans.PERSISTENT_GPU));
                 kernels.addAll(events(Plans.PERSISTENT_GPU, Scenes.thesis(40, 1)));
-                break;
-            case "queries":
+            }
+            case "queries" -> {
                 // No more circles than there is memory for at first: of arrays that grew, Oclgrind says that nobody
                 // wrote them.
                 kernels.addAll(queries(Scenes.mixed(small ? 20 : 60, 3)));
-                break;
-            case "levels of tiles":
+            }
+            case "levels of tiles" -> {
                 kernels.addAll(steps(Plans.TILES, Scenes.mixed(20, 1), 1 / 60f, 2, 2));
                 kernels.addAll(events(Plans.TILES, Scenes.mixed(20, 2)));
-                break;
-            case "levels of PERSISTENT_GPU":
+            }
+            case "levels of PERSISTENT_GPU" -> {
                 kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.mixed(20, 1), 1 / 60f, 2, 2));
                 kernels.addAll(events(Plans.PERSISTENT_GPU, Scenes.mixed(20, 2)));
-                break;
-            case "wide":
+            }
+            case "wide" -> {
                 // As few as have two blocks of buckets to sum up; eight tiles.
                 kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.gas(1024, 1), 1e-4f, 1, 1));
-                break;
-            case "fast":
-                kernels.addAll(steps(Plans.COLOURS, Scenes.gas(20, 1), 1f, small ? 1 : 2, subSteps));
-                break;
-            case "crowd":
+            }
+            case "fast" -> kernels.addAll(steps(Plans.COLOURS, Scenes.gas(20, 1), 1f, small ? 1 : 2, subSteps));
+            case "crowd" -> {
                 kernels.addAll(crowd(Plans.COLOURS, false));
                 kernels.addAll(heaps());
-                break;
-            case "levels in a crowd":
+            }
+            case "levels in a crowd" -> {
                 for (Plans plans : List.of(Plans.TILES, Plans.PERSISTENT_GPU)) {
                     kernels.addAll(crossCrowd(plans));
                 }
                 kernels.addAll(crowd(Plans.COLOURS, true));
-                break;
-            case "edges":
+            }
+            case "edges" -> {
                 kernels.addAll(edges(Plans.COLOURS));
                 kernels.addAll(edges(Plans.PERSISTENT_GPU));
-                break;
-            case "turning":
-                kernels.addAll(turning(Scenes.mixed(20, 1)));
-                break;
-            case "terrain":
-                kernels.addAll(terrain(Plans.COLOURS, Scenes.mixed(20, 1), true));
-                break;
-            case "terrain of tiles":
+            }
+            case "turning" -> kernels.addAll(turning(Scenes.mixed(20, 1)));
+            case "terrain" -> kernels.addAll(terrain(Plans.COLOURS, Scenes.mixed(20, 1), true));
+            case "terrain of tiles" -> {
                 kernels.addAll(terrain(Plans.TILES, Scenes.thesis(20, 1), false));
                 kernels.addAll(terrain(Plans.PERSISTENT_GPU, Scenes.thesis(20, 1), false));
-                break;
-            case "joints":
-                kernels.addAll(joints(Plans.COLOURS, Scenes.mixed(20, 1), true));
-                break;
-            case "bodies":
-                kernels.addAll(bodies(Plans.COLOURS));
-                break;
-            case "bodies of tiles":
-                kernels.addAll(bodies(Plans.TILES));
-                break;
-            case "bodies that sleep":
-                kernels.addAll(sleepingBodies(Plans.COLOURS));
-                break;
-            case "bodies that sleep, of tiles":
-                kernels.addAll(sleepingBodies(Plans.TILES));
-                break;
-            case "sleep":
+            }
+            case "joints" -> kernels.addAll(joints(Plans.COLOURS, Scenes.mixed(20, 1), true));
+            case "bodies" -> kernels.addAll(bodies(Plans.COLOURS));
+            case "bodies of tiles" -> kernels.addAll(bodies(Plans.TILES));
+            case "bodies that sleep" -> kernels.addAll(sleepingBodies(Plans.COLOURS));
+            case "bodies that sleep, of tiles" -> kernels.addAll(sleepingBodies(Plans.TILES));
+            case "sleep" -> {
                 if (steps > 1) {
                     kernels.addAll(sleep(Plans.COLOURS, false));
                 }
                 kernels.addAll(sleep(Plans.COLOURS, true));
-                break;
-            case "sleep of tiles":
-                kernels.addAll(sleep(Plans.TILES, false));
-                break;
-            case "joints of tiles":
+            }
+            case "sleep of tiles" -> kernels.addAll(sleep(Plans.TILES, false));
+            case "joints of tiles" -> {
                 kernels.addAll(joints(Plans.PERSISTENT_GPU, Scenes.thesis(20, 1), false));
                 kernels.addAll(joints(Plans.TILES, Scenes.mixed(20, 1), true));
-                break;
-            default:
-                throw new IllegalArgumentException(world);
+            }
+            default -> throw new IllegalArgumentException(world);
         }
         return kernels;
     }
