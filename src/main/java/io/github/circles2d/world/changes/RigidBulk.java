@@ -52,7 +52,7 @@ public final class RigidBulk {
      */
     public void addAll(OutlineShape[] outlines, boolean areEach, float[] bodies, int[] kinds, long[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int n = Limits.notNull("bodies", bodies).length / NEW;
             checkLengths(n, areEach ? outlines.length : n, bodies, kinds, to);
             RigidLimits.room(table.ids.size(), n);
@@ -61,8 +61,6 @@ public final class RigidBulk {
                 prepare(i, outlines[areEach ? i : 0], bodies, kinds == null ? 0 : kinds[i]);
             }
             makeAll(n, outlines, areEach, to);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -163,7 +161,7 @@ public final class RigidBulk {
             int[] kinds,
             boolean skipStale) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             BulkChanges.checkCount(bodies, count);
             if (each > 0) {
                 int length = kinds != null ? kinds.length : Limits.notNull(name, values).length;
@@ -182,8 +180,6 @@ public final class RigidBulk {
             }
             make(calls);
             return left;
-        } finally {
-            world.guard.leave();
         }
     }
 

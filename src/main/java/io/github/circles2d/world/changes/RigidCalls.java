@@ -61,7 +61,7 @@ public final class RigidCalls implements Calls.Effects {
     /** Adds a body at rest, at an angle in radians, with the restitution of its kind, else the world's, and returns its handle. */
     public long add(OutlineShape outline, float x, float y, float angle, float mass, int kind) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             words[1] = kind;
             words[2] = floatToRawIntBits(x);
             words[3] = floatToRawIntBits(y);
@@ -75,8 +75,6 @@ public final class RigidCalls implements Calls.Effects {
             } catch (RuntimeException | Error e) {
                 throw world.guard.failed(e);
             }
-        } finally {
-            world.guard.leave();
         }
     }
 

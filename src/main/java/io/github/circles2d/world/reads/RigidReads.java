@@ -33,30 +33,26 @@ public final class RigidReads {
     /** Whether a body does not sleep. */
     public boolean isAwake(long handle) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             int body = world.rigid(handle);
             world.pending.settle();
             return !step.isAsleep(body);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** How many bodies do not sleep. */
     public int awake() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settle();
             return step.awake();
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Three elements an id: x, y, the angle in radians; living, with a bit an id, may be null. */
     public void readById(float[] poses, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             beginById("bodies", poses, living);
             for (int id = 0; id < table.ids.end(); id++) {
                 if (table.ids.lives(id)) {
@@ -65,40 +61,34 @@ public final class RigidReads {
                     poses[STRIDE * id + 2] = Surface.radians(step.angle[id]);
                 }
             }
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Takes down where bodies are. */
     public void keep(RigidPoses poses) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             poses.keep(table);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** As {@link #readById}, on the way from before a step to after it. */
     public void readBetween(RigidPoses before, RigidPoses after, float alpha, float[] poses, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             beginById("bodies", poses, living);
             for (int id = 0; id < table.ids.end(); id++) {
                 if (table.ids.lives(id)) {
                     after.readBetween(before, alpha, table, id, world.settings.bounds(), poses);
                 }
             }
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Three elements an id: vx, vy, the angular velocity; living as above. */
     public void readVelocitiesById(float[] velocities, long[] living) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             beginById("velocities", velocities, living);
             for (int id = 0; id < table.ids.end(); id++) {
                 if (table.ids.lives(id)) {
@@ -107,8 +97,6 @@ public final class RigidReads {
                     velocities[STRIDE * id + 2] = step.omega[id];
                 }
             }
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -128,7 +116,7 @@ public final class RigidReads {
     /** Gives the handles of all bodies in the order of ids. */
     public void readHandles(long[] handles) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             Readings.requireRoom("handles", handles, table.ids.size());
             int k = 0;
             for (int id = 0; id < table.ids.end(); id++) {
@@ -136,8 +124,6 @@ public final class RigidReads {
                     handles[k++] = table.ids.handle(id);
                 }
             }
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -146,11 +132,9 @@ public final class RigidReads {
     /** Sets whether somebody is told of touches. */
     public void report(boolean on) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             table.events.turn(on);
             world.copies.forgetSaved();
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -162,21 +146,17 @@ public final class RigidReads {
     /** Writes what touches a body; returns how many there are. */
     public int touching(long handle, long[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             Limits.notNull("handles", to);
             return table.events.list(world.rigid(handle), to);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Gives the touches that have begun and ended since the last call. */
     public void take(RigidTouches to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             table.events.take(to);
-        } finally {
-            world.guard.leave();
         }
     }
 }

@@ -43,34 +43,6 @@ final class RigidSection {
 
     // ---- writing
 
-    /** The length of the section behind its number. */
-    static long bytes(SavedRigids r) {
-        long sum = 4 * Integer.BYTES;
-        for (int k = 0; k < r.outlineCount; k++) {
-            int words = r.outlines[k].words().length;
-            sum += Varint.bytes(words) + (long) Integer.BYTES * words;
-        }
-        for (int body = 0; body < r.ids; body++) {
-            sum += 1 + (r.generation[body] == 0 ? 0 : Varint.bytes(r.generation[body]));
-            if (r.lives(body)) {
-                int values = values(r, body);
-                sum += Varint.bytes(r.outline[body]) + 1 + Varint.bytes(values);
-                sum += Integer.BYTES * Integer.bitCount(values);
-            }
-        }
-        for (int k = 0; k < r.contacts.count; k++) {
-            sum += pairBytes(r.contacts.keys, KeptContacts.KEYS * k) + LEAST_CONTACT - 3;
-        }
-        for (int k = 0; k < r.touching; k++) {
-            sum += pairBytes(r.touchingKeys, RigidStep.TOUCH_KEYS * k);
-        }
-        return sum;
-    }
-
-    private static int pairBytes(int[] keys, int at) {
-        return 1 + Varint.bytes(keys[at + RigidStep.A]) + Varint.bytes(keys[at + RigidStep.B]);
-    }
-
     /** A bit for each value that is not 0. */
     private static int values(SavedRigids r, int body) {
         int bits = 0;

@@ -89,7 +89,8 @@ final class SubSteps {
                 bodies.relaxJoints(sub, last);
             }
             if (!steps.haveOneLevel()) {
-                stages.record(relax.get().arg(StageKernels.own(0), last ? 1 : 0), 1).run(steps.circles());
+                stages.record(relax.get().arg(StageKernels.own(0), last ? 1 : 0), 1)
+                        .run(steps.circles());
                 take(steps, takes, true, !last);
             }
             if (bodies != null) {
