@@ -14,20 +14,24 @@ import org.junit.jupiter.api.Test;
  * or the world says that its state is lost. {@link AllocationLimit} ends memory.
  */
 class WorldMemoryTest {
-    private static final Class<?> PROGRAM = load();
+    private static final Class<?> PROGRAM = load(MemoryLimits.class);
 
-    private static Class<?> load() {
+    private static Class<?> load(Class<?> program) {
         try {
-            return new AllocationLimitLoader().loadClass(MemoryLimits.class.getName());
+            return new AllocationLimitLoader().loadClass(program.getName());
         } catch (ClassNotFoundException e) {
             throw new AssertionError(e);
         }
     }
 
     private static void check(String method, int... arguments) throws ReflectiveOperationException {
+        check(PROGRAM, method, arguments);
+    }
+
+    private static void check(Class<?> program, String method, int... arguments) throws ReflectiveOperationException {
         Class<?>[] types = IntStream.of(arguments).mapToObj(each -> int.class).toArray(Class<?>[]::new);
         Object[] boxed = IntStream.of(arguments).boxed().toArray();
-        assertThat((List<?>) PROGRAM.getMethod(method, types).invoke(null, boxed))
+        assertThat((List<?>) program.getMethod(method, types).invoke(null, boxed))
                 .isEmpty();
     }
 
@@ -45,5 +49,12 @@ class WorldMemoryTest {
     @Test
     void programsGoOnAsIfMemoryHadNotEnded() throws ReflectiveOperationException {
         check("programs", 1, TestScale.of(10, 60, 5000));
+    }
+
+    @Test
+    void aRestoreThatLackedMemoryIsMadeSomeStepsLater() throws ReflectiveOperationException {
+        for (int steps = 1; steps <= 2; steps++) {
+            check(load(RestoreLimits.class), "restore", steps);
+        }
     }
 }

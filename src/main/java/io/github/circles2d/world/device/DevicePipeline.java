@@ -324,6 +324,7 @@ public final class DevicePipeline implements Pipeline {
     /** Compiles the kernels of steps if there are none yet: a world may get features before its first step, and needs no kernels without them. */
     @Override
     public void prepareSteps(StepReports reports) {
+        ready.requireKernels();
         if (reader != null && !reader.areOf(reports)) {
             settle();
             reader.learn(reports);

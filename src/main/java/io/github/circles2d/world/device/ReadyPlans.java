@@ -30,6 +30,12 @@ final class ReadyPlans {
         this.waits = waits;
     }
 
+    /** Why kernels of some steps have been refused. */
+    private record Refusal(StageKernels of, Throwable cause) {}
+
+    /** Null if none have. */
+    private volatile Refusal refusal;
+
     /** Those that are ready, in the order in which a step looks at them. The list changes. No view of it, whose iterators would be garbage of steps. */
     List<Plan> list() {
         return ready;
@@ -79,19 +85,20 @@ final class ReadyPlans {
 
     /** First what a step may ask for soon, then the plans from the slowest on. */
     private void compileBeside(StageKernels of) {
-        List<String> missing = new ArrayList<>(stages.ofSomeSteps());
+        List<String> ofSomeSteps = stages.ofSomeSteps();
+        List<String> missing = new ArrayList<>(ofSomeSteps);
         for (int p = plans.size() - 1 - ready.size(); p >= 0; p--) {
             missing.add(Plans.partOf(plans.get(p)));
         }
         missing.removeIf(of::has);
         if (!missing.isEmpty()) {
-            Thread thread = new Thread(() -> compile(of, missing), "circles2d compiler");
+            Thread thread = new Thread(() -> compile(of, ofSomeSteps, missing), "circles2d compiler");
             thread.setDaemon(true);
             thread.start();
         }
     }
 
-    private void compile(StageKernels of, List<String> missing) {
+    private void compile(StageKernels of, List<String> ofSomeSteps, List<String> missing) {
         for (String part : missing) {
             if (kernels != of || RunningBuilds.isExiting()) {
                 return;
@@ -99,11 +106,27 @@ final class ReadyPlans {
             try {
                 of.compile(part);
             } catch (RuntimeException | Error e) {
-                if (kernels == of && !RunningBuilds.isExiting()) {
-                    LOG.log(Level.WARNING, "World goes on without kernels " + part + ": they could not be compiled", e);
+                if (kernels != of || RunningBuilds.isExiting()) {
+                    return;
+                }
+                if (ofSomeSteps.contains(part)) {
+                    refusal = new Refusal(of, e);
+                } else {
+                    LOG.log(Level.WARNING, "World goes on without plan " + part + ": it could not be compiled", e);
                 }
                 return;
             }
+        }
+    }
+
+    /** A compiler that refuses what a step may need is told of before the step changes anything. */
+    void requireKernels() {
+        Refusal refused = refusal;
+        if (refused != null && refused.of == kernels) {
+            if (refused.cause instanceof Error error) {
+                throw error;
+            }
+            throw (RuntimeException) refused.cause;
         }
     }
 }

@@ -145,7 +145,8 @@ public final class SavedJoints {
     public void setIds(int joints) {
         if (values.length < VALUES * joints) {
             // The array that is compared grows last: a growth that fails is tried again.
-            int c = Math.max(joints, form.length + (form.length >> 1));
+            int room = values.length / VALUES;
+            int c = Math.max(joints, room + (room >> 1));
             generation = new int[c];
             form = new int[c];
             colour = new byte[c];

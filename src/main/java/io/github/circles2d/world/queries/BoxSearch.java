@@ -260,9 +260,11 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     public boolean isBlocked(float x, float y, float dx, float dy, IntPredicate filter) {
         aim(x, y, 0, dx, dy);
         leavesStart = true;
-        boolean isBlocked = first(filter);
-        leavesStart = false;
-        return isBlocked;
+        try {
+            return first(filter);
+        } finally {
+            leavesStart = false;
+        }
     }
 
     @Override

@@ -7,7 +7,7 @@ import io.github.circles2d.world.queries.RemoteSearch;
 import io.github.circles2d.world.shared.WorldParts;
 
 /**
- * QueryBatch.Answers queries on the device that has the circles, where that is likely to be the faster way: to read a million circles and to build a
+ * Answers queries on the device that has the circles, where that is likely to be the faster way: to read a million circles and to build a
  * tree of them takes a host some 50 ms, and a call of the device a tenth of one.
  *
  * <p>The rule, on a GPU: a batch of at least {@link #LEAST_BATCH} queries among at least {@link #LEAST_CIRCLES} circles; or, among at
@@ -54,7 +54,7 @@ final class DeviceAnswers implements QueryBatch.Answers {
         this.world = world;
     }
 
-    /** QueryBatch.Answers on any device, whether or not it is the faster way. */
+    /** Answers on any device, whether or not it is the faster way. */
     void always() {
         always = true;
     }

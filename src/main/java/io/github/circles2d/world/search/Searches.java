@@ -80,7 +80,7 @@ public final class Searches {
         return QueryFilter.without(world.kinds, view, before, body);
     }
 
-    /** QueryBatch.Answers on any device from now on, whether or not it is the faster way: for tests. */
+    /** Answers on any device from now on, whether or not it is the faster way: for tests. */
     public void alwaysOnDevice() {
         device.always();
     }
@@ -204,7 +204,7 @@ public final class Searches {
         };
     }
 
-    /** QueryBatch.Answers queries by a tree on the host. */
+    /** Answers queries by a tree on the host. */
     private static final class HostAnswers implements QueryBatch.Answers {
         private final View view;
         private Search search;

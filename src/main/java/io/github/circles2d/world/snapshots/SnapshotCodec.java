@@ -95,7 +95,8 @@ public final class SnapshotCodec {
                 return out;
             } catch (BufferOverflowException e) {
                 if (out.capacity() == MOST) {
-                    throw new IllegalStateException("a snapshot has more bytes than a buffer holds", e);
+                    throw new IllegalStateException(
+                            "a snapshot of more than " + MOST + " bytes is more than a buffer holds", e);
                 }
                 long more = Math.max(HEADER + USUAL * s.ids, out.capacity() * 3L / 2);
                 out = ByteBuffer.allocate((int) Math.min(MOST, more)).order(ByteOrder.LITTLE_ENDIAN);

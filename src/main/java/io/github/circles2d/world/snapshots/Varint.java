@@ -13,11 +13,6 @@ final class Varint {
 
     private Varint() {}
 
-    static int bytes(int value) {
-        int bits = Integer.SIZE - Integer.numberOfLeadingZeros(value | 1);
-        return (bits + BITS - 1) / BITS;
-    }
-
     static void put(ByteBuffer out, int value) {
         int rest = value;
         while ((rest & ~MASK) != 0) {

@@ -10,10 +10,13 @@ import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.PairTable;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
+import java.util.function.ToIntFunction;
 import java.util.function.ToLongFunction;
 
 /** The state and the working memory of a World on a device. It grows by at least half, and keeps the elements that must outlive a step. */
@@ -197,34 +200,31 @@ public final class DeviceArrays {
      * in another way than those of its kind, and there are no joints. Bodies that are pushed have their memory elsewhere, and edges need none.
      */
     public void ensure(Features wanted) {
+        Features before = features;
+        List<Features> added = new ArrayList<>();
         for (Features feature : DeviceArray.FEATURES) {
-            if (wanted.have(feature) && !features.have(feature)) {
-                add(feature);
+            if (wanted.have(feature) && !before.have(feature)) {
+                added.add(feature);
+                features = features.and(feature);
             }
         }
-        features = features.and(Features.BODIES.when(wanted.bodies()));
-    }
-
-    private void add(Features feature) {
-        Features before = features;
-        features = features.and(feature);
-        try {
-            for (Index index : DeviceArguments.BLOCKS) {
-                if (index.isOf(feature)) {
-                    int capacity = capacity(index);
-                    grow(capacity, grown -> grown == index ? capacity : AS_IT_IS);
-                }
+        if (!added.isEmpty()) {
+            try {
+                growTables(
+                        terrainEnd(),
+                        jointRoom); // kernels without the features can use larger tables, but not other blocks
+                grow(this::capacity, index -> added.stream().anyMatch(index::isOf) ? capacity(index) : AS_IT_IS);
+            } catch (RuntimeException | Error e) {
+                features = before;
+                throw e;
             }
-            growTables(terrainEnd(), jointRoom);
-        } catch (RuntimeException | Error e) {
-            features = before;
-            throw e;
         }
         for (DeviceArray array : DeviceArray.values()) {
-            if (array.feature() == feature && array.kept()) {
+            if (added.contains(array.feature()) && array.kept()) {
                 fill(array, capacity(array.index()), array.initial());
             }
         }
+        features = features.and(Features.BODIES.when(wanted.bodies()));
     }
 
     /** Elements of the arrays of an index that some feature has arrays by. */
@@ -385,8 +385,12 @@ public final class DeviceArrays {
         return (int) Math.min(Math.max(needed, capacity + (long) (capacity >> 1)), MOST_ELEMENTS);
     }
 
-    /** All or none; {@link #AS_IT_IS} for those that do not grow, and kept elements stay in arrays that are kept. */
     private void grow(int kept, ToLongFunction<Index> elements) {
+        grow(index -> kept, elements);
+    }
+
+    /** All or none; {@link #AS_IT_IS} for those that do not grow, and kept elements stay in arrays that are kept. */
+    private void grow(ToIntFunction<Index> kept, ToLongFunction<Index> elements) {
         Map<Index, Block> added = new EnumMap<>(Index.class);
         try {
             for (Index index : DeviceArguments.BLOCKS) {
@@ -404,7 +408,7 @@ public final class DeviceArrays {
             Block block = added.get(array.index());
             Block before = blocks.get(array.index());
             if (block != null && array.kept() && before != null && before.has(array) && block.has(array)) {
-                get(array).copyTo(block.get(array), (long) kept * array.elementBytes());
+                get(array).copyTo(block.get(array), (long) kept.applyAsInt(array.index()) * array.elementBytes());
             }
         }
         session.finish();

@@ -165,7 +165,7 @@ public enum Plans {
 
     /** The parts that only some steps need, or none, in the order in which they are compiled beside. */
     public static List<String> ofSomeSteps(Readiness variant) {
-        List<String> parts = new ArrayList<>(List.of(LEVELS, FAST));
+        List<String> parts = new ArrayList<>(List.of(STATISTICS, LEVELS, FAST));
         if (variant.features().joints()) {
             parts.addAll(List.of(JOINT_BATCHES, JOINT_COLOURS, SPLIT_JOINTS));
         }
@@ -175,7 +175,7 @@ public enum Plans {
         if (variant.features().sleeping()) {
             parts.add(WAKING);
         }
-        parts.addAll(List.of(CROWDS, STATISTICS));
+        parts.add(CROWDS);
         return List.copyOf(parts);
     }
 

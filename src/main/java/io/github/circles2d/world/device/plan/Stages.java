@@ -116,7 +116,8 @@ public final class Stages {
         pieces = arrays.features().terrain() ? kernels.staged("pieces_find") : null;
         joints = arrays.features().joints() ? new JointKernels(kernels, parameters.joints()) : null;
         sleep = arrays.features().sleeping()
-                ? new SleepStage(kernels, parameters.joints(), arrays.features().joints(), bodyArrays)
+                ? new SleepStage(
+                        kernels, parameters.joints(), arrays.features().joints(), bodies == null ? null : bodyArrays)
                 : null;
     }
 
@@ -193,7 +194,7 @@ public final class Stages {
         return false;
     }
 
-    /** Compiles what steps need, before any of them is enqueued: a compiler that refuses has changed nothing. */
+    /** Compiles what steps need, before any of them is enqueued. */
     public void compile(Steps steps) {
         for (String part : ofSomeSteps) {
             if (need(steps, part)) {

@@ -305,11 +305,6 @@ final class RigidContact {
         return friction > 0f || grip != 0f;
     }
 
-    /** Whether friction may change something, where nothing rolls. */
-    boolean grips() {
-        return grip != 0f || impulse != 0f && hasGrip();
-    }
-
     /** Whether a contact with a restitution is fast enough to bounce. */
     boolean isImpact(float before) {
         return before < 0f && before * before > threshold;

@@ -289,6 +289,6 @@ final class RigidJoints {
     }
 
     long bytes() {
-        return 192L * acting.length;
+        return 316L * acting.length;
     }
 }

@@ -400,6 +400,6 @@ final class RigidThing {
 
     /** At most: there is room for more corners and lines than there are. */
     long bytes() {
-        return 260L + 76L * corners.length + 60L * lines.length;
+        return 268L + 76L * corners.length + 60L * lines.length;
     }
 }

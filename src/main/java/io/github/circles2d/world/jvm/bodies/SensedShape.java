@@ -175,10 +175,11 @@ final class SensedShape {
     private void add(
             double fromX, double fromY, double toX, double toY, double centreX, double centreY, double radius) {
         if (count == edges.length) {
-            edges = Arrays.copyOf(edges, Math.max(8, 2 * count));
-            for (int k = count; k < edges.length; k++) {
-                edges[k] = new Edge();
+            Edge[] more = Arrays.copyOf(edges, Math.max(8, 2 * count));
+            for (int k = count; k < more.length; k++) {
+                more[k] = new Edge();
             }
+            edges = more;
         }
         edges[count++].set(fromX, fromY, toX, toY, centreX, centreY, radius);
     }

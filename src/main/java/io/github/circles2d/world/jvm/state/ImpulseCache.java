@@ -67,7 +67,8 @@ public final class ImpulseCache {
 
     /** Makes room for the rows of the contacts for which there is room, so that circles can rotate. */
     public void ensureRows() {
-        if (rows.length < ContactRows.of(next.length)) {
+        // Steps exchange the two: either may have grown without the other.
+        if (Math.min(rows.length, rowsBefore.length) < ContactRows.of(next.length)) {
             rowsBefore = Arrays.copyOf(rowsBefore, ContactRows.of(next.length));
             rows = Arrays.copyOf(rows, ContactRows.of(next.length));
         }

@@ -44,14 +44,14 @@ public final class PieceContacts {
                 + 4L * (rows.length + rowsSpare.length + numbers.length + numbersSpare.length);
     }
 
-    /** Makes room for circles. The array that is compared grows last: a growth that fails is tried again. */
+    /** Makes room for circles. The array that is compared grows last, and no step exchanges it: a growth that fails is tried again. */
     void ensure(int circles) {
-        if (circles > count.length) {
+        if (CircleRow.vector(circles) > measured.length) {
             first = Arrays.copyOf(first, circles);
             firstSpare = new int[circles];
+            count = Arrays.copyOf(count, circles);
             countSpare = new int[circles];
             measured = new float[CircleRow.vector(circles)];
-            count = Arrays.copyOf(count, circles);
         }
     }
 
