@@ -8,15 +8,25 @@ import io.github.circles2d.Backend;
 import io.github.circles2d.Events;
 import io.github.circles2d.Joint;
 import io.github.circles2d.World;
+import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.OnEachDevice;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.Tiles;
+import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.StepReports;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -82,6 +92,39 @@ class RefusedKernelsTest {
                 device.step(DT, 20);
                 assertThat(device.hash()).isEqualTo(here.hash());
             }
+        }
+    }
+
+    /** The thread beside is refused them: no step begins that may need them. */
+    @OnEachDevice
+    @Timeout(value = 300, unit = TimeUnit.SECONDS)
+    void stepsEndBeforeTheyBeginIfKernelsOfSomeOfThemAreRefused(Device device, @TempDir Path folder)
+            throws IOException, InterruptedException {
+        assumeTrue(Tiles.fit(device), "a device of one plan has one program");
+        copyKernels(folder);
+        Path fast = folder.resolve("world/stages/ContinuousCollision.cl");
+        Files.writeString(
+                fast, Files.readString(fast).replace("number < partsOfAllLooks(&w)", "refused_by_all(number)"));
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
+        DevicePipeline pipeline =
+                new DevicePipeline(device, 0, false, Plans.TILES.of(device), StageKernels.USUAL_GROUPS, false);
+        JvmPipeline jvm = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+        try (Twins twins = Twins.load(Scenes.packed(50, 1), jvm, pipeline)) {
+            twins.step(DT, 1);
+            while (!isRefused(pipeline)) {
+                Thread.sleep(20);
+            }
+            twins.assertEqual("refused");
+        }
+    }
+
+    private static boolean isRefused(DevicePipeline pipeline) {
+        try {
+            pipeline.prepareSteps(new StepReports());
+            return false;
+        } catch (OpenClException e) {
+            assertThat(e).hasMessageContaining("refused_by_all");
+            return true;
         }
     }
 
