@@ -46,7 +46,7 @@ class ArchitectureTest {
 
     /** Lines that are not blank. Who needs more takes something away, or raises the bound for a reason. */
     @ParameterizedTest
-    @CsvSource({"src/main/java, .java, 78500", "kernels, .cl, 10250", "src/test/java, .java, 72300"})
+    @CsvSource({"src/main/java, .java, 78500", "kernels, .cl, 10250", "src/test/java, .java, 72500"})
     void codeHasFewLines(Path folder, String suffix, int most) throws IOException {
         long lines = 0;
         for (Path file : Rooms.filesBelow(folder, suffix)) {
