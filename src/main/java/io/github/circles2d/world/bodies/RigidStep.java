@@ -113,7 +113,7 @@ public final class RigidStep {
     /** Counts changes by calls and states, behind which the balance of a body that sleeps may be another. */
     public int changes;
 
-    /** Contacts of the last step whose things rested. */
+    /** Contacts of the last step whose things rested. The passes that made it fill the list again in the next one. */
     public KeptContacts resting = new KeptContacts();
 
     // ---- sleep

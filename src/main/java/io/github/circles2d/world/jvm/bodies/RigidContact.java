@@ -73,8 +73,7 @@ final class RigidContact {
     /** Whether it does not begin. */
     boolean covered;
 
-    // terms of a biased visit that does not bounce, since contacts were measured: factors of speed and impulse, and a
-    // speed
+    // terms of a biased visit that does not bounce, since contacts were measured: factors of speed and impulse, a speed
     float speedScale;
     float decay;
     float bias;

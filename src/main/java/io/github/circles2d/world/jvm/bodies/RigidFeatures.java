@@ -41,9 +41,8 @@ final class RigidFeatures {
     private KeptContacts known;
     private float dt;
 
-    // of the thing whose corners meet another one: the pair, where it is, within which angle beyond their cones they
-    // may
-    // have contacts, whether one of both comes fast, and whether the thing is the second one of the pair
+    // of the thing whose corners meet another one: the pair, where it is, how far beyond their cones they may have
+    // contacts, whether one of both comes fast, and whether the thing is the second one of the pair
     private RigidPair pair;
     private float x;
     private float y;

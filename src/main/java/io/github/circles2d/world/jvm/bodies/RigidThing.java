@@ -138,16 +138,15 @@ final class RigidThing {
     /** Of a body: as how many it counts where circles push it at once. */
     float share;
 
-    // of a body: what circles give in a pass, in units; before a step, what presses one that sleeps, also without its
-    // direction
+    // of a body: what circles give in a pass, in units; before a step, what presses one that sleeps, with its direction
+    // (sums) and without (load)
     long sumX;
     long sumY;
     long sumOmega;
     long sumLoad;
 
     // of a body that sleeps, by WakingByBodies: the last steps that have looked at it and woken it, the speed that
-    // wakes it,
-    // and that which wakes it in the next ring, 0 between rings
+    // wakes it, and that of the next ring, 0 between rings
     long looked;
     long wokenIn;
     float speed;
